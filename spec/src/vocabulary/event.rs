@@ -1,0 +1,325 @@
+//! The trace: what a control does, one event after the other.
+
+use serde::{Deserialize, Serialize};
+
+use super::{
+    Alarm, Angle, CuttingSpeed, Duration, FeedRate, Label, Length, Place, ReadingSet, RuleSet, Speed,
+};
+
+/// Receives the events of a run in order.
+pub trait Sink {
+    /// Takes the next event.
+    fn event(&mut self, event: &Event);
+}
+
+impl<F: FnMut(&Event)> Sink for F {
+    fn event(&mut self, event: &Event) {
+        self(event);
+    }
+}
+
+/// How a run ended.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Ending {
+    /// By M02 or M30.
+    End,
+    /// By an alarm.
+    Alarm,
+}
+
+/// One event of a trace.
+#[derive(Clone, Copy, PartialEq, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct Event {
+    /// Ordinal, from 1.
+    pub n: u64,
+    /// The block that produced the event.
+    pub block: Place,
+    /// The rules that produced it.
+    pub rules: RuleSet,
+    /// The readings it depends on.
+    #[serde(default, skip_serializing_if = "ReadingSet::is_empty")]
+    pub readings: ReadingSet,
+    /// What happens.
+    #[serde(flatten)]
+    pub action: Action,
+}
+
+/// What happens.
+#[derive(Clone, Copy, PartialEq, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(tag = "kind", rename_all = "snake_case")]
+pub enum Action {
+    /// Positioning, each axis on its own.
+    Rapid {
+        /// Where to.
+        #[serde(flatten)]
+        motion: Motion,
+    },
+    /// Motion along a straight line at a feed.
+    Linear {
+        /// Where to.
+        #[serde(flatten)]
+        motion: Motion,
+        /// The feed.
+        feed: Feed,
+        /// The length on which the feed is measured.
+        path: Length,
+    },
+    /// Motion along a circle at a feed.
+    Arc {
+        /// Where to.
+        #[serde(flatten)]
+        motion: Motion,
+        /// The feed, along the arc.
+        feed: Feed,
+        /// The way round, seen with Z to the right and X up.
+        sense: Sense,
+        /// Centre X in program coordinates, as a diameter.
+        centre_x: Length,
+        /// Centre Z in program coordinates.
+        centre_z: Length,
+    },
+    /// Waiting.
+    Dwell {
+        /// How long.
+        time: Duration,
+    },
+    /// A spindle command.
+    Spindle(Spindle),
+    /// A tool command.
+    Tool {
+        /// Tool (turret station) number; 0 keeps the station.
+        tool: u8,
+        /// Tool offset number.
+        offset: u8,
+        /// Nose radius compensation number.
+        nose: u8,
+        /// Whether the turret indexes.
+        index: bool,
+    },
+    /// Coolant.
+    Coolant {
+        /// On or off.
+        on: bool,
+    },
+    /// An M code without another event of its own.
+    Aux {
+        /// The code, such as `M147`.
+        code: Label,
+        /// The modal group of the code, if it has one.
+        #[serde(default, skip_serializing_if = "Label::is_empty")]
+        group: Label,
+    },
+    /// The torque limits in force from here on, in percent of the rated torque.
+    Torque {
+        /// Z axis.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        z: Option<u8>,
+        /// W axis.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        w: Option<u8>,
+    },
+    /// The relation between program and machine coordinates changed.
+    Frame {
+        /// Which amount changed.
+        cause: FrameCause,
+        /// New amount, X as a diameter.
+        x: Length,
+        /// New amount.
+        z: Length,
+        /// New amount.
+        c: Angle,
+        /// New amount.
+        w: Length,
+    },
+    /// A modal G group changed.
+    Mode {
+        /// The group, such as `feed_unit`.
+        group: Label,
+        /// The code now active.
+        code: Label,
+        /// The code active before.
+        previous: Label,
+    },
+    /// A variable was assigned.
+    Variable {
+        /// Its name with its suffix, such as `V5` or `VTOFX[3]`.
+        name: Label,
+        /// Its new value.
+        value: Value,
+    },
+    /// Program stop.
+    Stop,
+    /// Optional stop, with the switch on.
+    OptionalStop,
+    /// End of the program.
+    End {
+        /// `M02` or `M30`.
+        code: Label,
+    },
+    /// The control refuses to go on; always the last event.
+    Alarm(Alarm),
+}
+
+/// The end of a motion.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct Motion {
+    /// End point in program coordinates.
+    pub program: Position,
+    /// End point in machine coordinates.
+    pub machine: Position,
+    /// Travel of the C axis, signed, full turns included.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub c_travel: Option<Angle>,
+    /// Speed of the main spindle at the end point, in constant cutting speed mode.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub speed: Option<Speed>,
+}
+
+/// A position in one coordinate system.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct Position {
+    /// X, as a diameter.
+    pub x: Length,
+    /// Z.
+    pub z: Length,
+    /// C in [0, 360), while the C axis is joined.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub c: Option<Angle>,
+    /// W, on machines that have it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub w: Option<Length>,
+}
+
+/// A feed with its unit.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct Feed {
+    /// The amount in millimetres.
+    pub value: FeedRate,
+    /// Per what.
+    pub unit: FeedUnit,
+}
+
+/// Per what a feed is measured.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub enum FeedUnit {
+    /// Millimetres per revolution.
+    #[serde(rename = "mm/rev")]
+    PerRevolution,
+    /// Millimetres per minute.
+    #[serde(rename = "mm/min")]
+    PerMinute,
+}
+
+/// The way round a circle, seen with Z to the right and X up.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(rename_all = "snake_case")]
+pub enum Sense {
+    /// G02.
+    Clockwise,
+    /// G03.
+    CounterClockwise,
+}
+
+/// The state of a spindle after a command.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct Spindle {
+    /// Which one.
+    pub spindle: SpindleName,
+    /// What it does.
+    pub state: SpindleState,
+    /// Its speed; 0 unless it turns (for the C axis: the speed set).
+    pub speed: Speed,
+    /// The constant cutting speed, in G96 (a foot counts as 0.3048 m).
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub surface: Option<CuttingSpeed>,
+    /// What limited the speed.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub limit: Option<SpeedLimit>,
+    /// Active gear code, empty if none was commanded.
+    #[serde(default, skip_serializing_if = "Label::is_empty")]
+    pub gear: Label,
+    /// The new clamp, in the event of a `G50 S` block.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub clamp: Option<Speed>,
+    /// Whether it is issued together with the motion of its block (M63).
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub with_motion: bool,
+}
+
+/// Which spindle.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(rename_all = "snake_case")]
+pub enum SpindleName {
+    /// The work spindle.
+    Main,
+    /// The rotary tool.
+    Tool,
+    /// The work spindle as C axis (SA).
+    CAxis,
+}
+
+/// What a spindle does.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(rename_all = "snake_case")]
+pub enum SpindleState {
+    /// It stands.
+    #[default]
+    Stop,
+    /// It turns clockwise.
+    Clockwise,
+    /// It turns counter-clockwise.
+    CounterClockwise,
+    /// It is oriented.
+    Orient,
+}
+
+/// What limited a spindle speed.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(rename_all = "snake_case")]
+pub enum SpeedLimit {
+    /// The highest speed of the gear range.
+    GearMaximum,
+    /// The lowest speed of the gear range.
+    GearMinimum,
+    /// The clamp of `G50 S`.
+    Clamp,
+}
+
+/// Which amount of the frame changed.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(rename_all = "snake_case")]
+pub enum FrameCause {
+    /// The zero offset.
+    ZeroOffset,
+    /// The zero shift.
+    ZeroShift,
+    /// The active tool offset.
+    ToolOffset,
+}
+
+/// The value of a variable.
+#[derive(Clone, Copy, PartialEq, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(rename_all = "snake_case")]
+pub enum Value {
+    /// A real number.
+    Real(f64),
+    /// A whole number.
+    Integer(i32),
+    /// A length.
+    Length(Length),
+    /// An angle.
+    Angle(Angle),
+}

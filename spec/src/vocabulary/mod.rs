@@ -1,0 +1,37 @@
+//! What a set-up, an event, an alarm and a rule id *are*: the language that the oracle, the fast
+//! interpreter, the generator and every other implementation speak to each other.
+//!
+//! Nothing here decides what a control does. The two implementations share this module and nothing
+//! else, so that a mistake made once cannot hide in both.
+
+mod alarm;
+mod decimal;
+mod event;
+mod label;
+pub mod notation;
+mod place;
+mod reading;
+mod rule;
+pub mod rule_ids;
+#[cfg(feature = "schema")]
+mod schema;
+mod setup;
+mod unit;
+
+pub use alarm::{Alarm, AlarmName};
+pub use event::{
+    Action, Ending, Event, Feed, FeedUnit, FrameCause, Motion, Position, Sense, Sink, SpeedLimit, Spindle,
+    SpindleName, SpindleState, Value,
+};
+pub use label::Label;
+pub use place::Place;
+pub use reading::{
+    ArcOneCoordinate, ChamferLeg, FeedLength, InchConversion, IncrementalAfterChamfer, Reading, ReadingSet,
+    Readings, SpeedClamp, ToolOffsetSign,
+};
+pub use rule::{RuleId, RuleSet};
+pub use setup::{
+    AxisAmounts, Barriers, Chamfering, Control, Droop, Gear, Inputs, Limit, Limits, NoseRadius, Options,
+    Parameters, Setup, SetupError, SpindleSetup, StmCheck, Switches, Tape, TapeCode, ToolOffset, UnitSystem,
+};
+pub use unit::{Angle, CuttingSpeed, Duration, FeedRate, Length, Speed};

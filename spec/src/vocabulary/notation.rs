@@ -1,0 +1,254 @@
+//! Compact trace notation: one event a line, for people and for the examples of the rule texts.
+//!
+//! A line is the kind of the event and its fields as `key=value`. [`render`] writes every field; a line
+//! of an expected trace names those that matter, and [`Expectation`] matches it. `...` stands for any
+//! number of events.
+
+use super::{
+    Action, Event, Feed, FeedUnit, Motion, Position, Sense, SpeedLimit, Spindle, SpindleName, SpindleState,
+    Value,
+};
+
+/// Writes an event in compact notation, every field of it, its line number, rules and readings last.
+#[must_use]
+pub fn render(event: &Event) -> String {
+    let mut line = fields(event).into_iter().fold(String::new(), |mut line, (key, value)| {
+        if key.is_empty() {
+            line.push_str(&value);
+        } else {
+            line.push_str(&format!(" {key}={value}"));
+        }
+        line
+    });
+    let rules: Vec<&str> = event.rules.as_slice().iter().map(|rule| rule.as_str()).collect();
+    line.push_str(&format!(" line={} rules={}", event.block.line, rules.join("+")));
+    if !event.readings.is_empty() {
+        let readings: Vec<&str> = event.readings.iter().map(|reading| reading.as_str()).collect();
+        line.push_str(&format!(" readings={}", readings.join("+")));
+    }
+    line
+}
+
+/// The kind (under the empty key) and the fields of an event, in a fixed order.
+#[must_use]
+pub fn fields(event: &Event) -> Vec<(&'static str, String)> {
+    let mut list = Fields(Vec::new());
+    match &event.action {
+        Action::Rapid { motion } => list.kind("rapid").motion(motion),
+        Action::Linear { motion, feed, path } => {
+            list.kind("linear").motion(motion).feed(feed).add("path", path)
+        }
+        Action::Arc { motion, feed, sense, centre_x, centre_z } => {
+            let sense = match sense {
+                Sense::Clockwise => "cw",
+                Sense::CounterClockwise => "ccw",
+            };
+            list.kind("arc")
+                .motion(motion)
+                .add("sense", &sense)
+                .add("cx", centre_x)
+                .add("cz", centre_z)
+                .feed(feed)
+        }
+        Action::Dwell { time } => list.kind("dwell").add("time", time),
+        Action::Spindle(spindle) => list.spindle(spindle),
+        Action::Tool { tool, offset, nose, index } => {
+            list.kind("tool").add("tool", tool).add("offset", offset).add("nose", nose).add("index", index)
+        }
+        Action::Coolant { on } => list.kind("coolant").add("on", on),
+        Action::Aux { code, group } => {
+            list.kind("aux").add("code", code).add_some("group", (!group.is_empty()).then_some(group))
+        }
+        Action::Torque { z, w } => list.kind("torque").add_some("z", z.as_ref()).add_some("w", w.as_ref()),
+        Action::Frame { cause, x, z, c, w } => {
+            let cause = match cause {
+                super::FrameCause::ZeroOffset => "zero_offset",
+                super::FrameCause::ZeroShift => "zero_shift",
+                super::FrameCause::ToolOffset => "tool_offset",
+            };
+            list.kind("frame").add("cause", &cause).add("x", x).add("z", z).add("c", c).add("w", w)
+        }
+        Action::Mode { group, code, previous } => {
+            list.kind("mode").add("group", group).add("code", code).add("previous", previous)
+        }
+        Action::Variable { name, value } => {
+            list.kind("variable").add("name", name).add("value", &value_text(value))
+        }
+        Action::Stop => list.kind("stop"),
+        Action::OptionalStop => list.kind("optional_stop"),
+        Action::End { code } => list.kind("end").add("code", code),
+        Action::Alarm(alarm) => list
+            .kind("alarm")
+            .add("name", &alarm.name)
+            .add_some("number", alarm.number.as_ref())
+            .add_some("detail", (!alarm.detail.is_empty()).then_some(&alarm.detail)),
+    };
+    list.0
+}
+
+/// The value of a variable as text: a real in its shortest form that reads back.
+#[must_use]
+pub fn value_text(value: &Value) -> String {
+    match value {
+        Value::Real(real) => real.to_string(),
+        Value::Integer(integer) => integer.to_string(),
+        Value::Length(length) => length.to_string(),
+        Value::Angle(angle) => angle.to_string(),
+    }
+}
+
+/// The unit of a feed as text.
+#[must_use]
+pub fn feed_unit_text(unit: FeedUnit) -> &'static str {
+    match unit {
+        FeedUnit::PerRevolution => "mm/rev",
+        FeedUnit::PerMinute => "mm/min",
+    }
+}
+
+struct Fields(Vec<(&'static str, String)>);
+
+impl Fields {
+    fn kind(&mut self, kind: &str) -> &mut Self {
+        self.0.push(("", kind.to_owned()));
+        self
+    }
+
+    fn add(&mut self, key: &'static str, value: &dyn std::fmt::Display) -> &mut Self {
+        self.0.push((key, value.to_string()));
+        self
+    }
+
+    fn add_some<T: std::fmt::Display>(&mut self, key: &'static str, value: Option<&T>) -> &mut Self {
+        if let Some(value) = value {
+            self.add(key, value);
+        }
+        self
+    }
+
+    fn feed(&mut self, feed: &Feed) -> &mut Self {
+        let text = format!("{}{}", feed.value, feed_unit_text(feed.unit));
+        self.add("f", &text)
+    }
+
+    fn motion(&mut self, motion: &Motion) -> &mut Self {
+        let Motion { program, machine, c_travel, speed } = motion;
+        self.position(program, ["x", "z", "c", "w"]).position(machine, ["mx", "mz", "mc", "mw"]);
+        self.add_some("c_travel", c_travel.as_ref()).add_some("speed", speed.as_ref())
+    }
+
+    fn position(&mut self, position: &Position, keys: [&'static str; 4]) -> &mut Self {
+        let [x, z, c, w] = keys;
+        self.add(x, &position.x)
+            .add(z, &position.z)
+            .add_some(c, position.c.as_ref())
+            .add_some(w, position.w.as_ref())
+    }
+
+    fn spindle(&mut self, spindle: &Spindle) -> &mut Self {
+        let name = match spindle.spindle {
+            SpindleName::Main => "main",
+            SpindleName::Tool => "tool",
+            SpindleName::CAxis => "c_axis",
+        };
+        let state = match spindle.state {
+            SpindleState::Stop => "stop",
+            SpindleState::Clockwise => "cw",
+            SpindleState::CounterClockwise => "ccw",
+            SpindleState::Orient => "orient",
+        };
+        let limit = spindle.limit.map(|limit| match limit {
+            SpeedLimit::GearMaximum => "gear_maximum",
+            SpeedLimit::GearMinimum => "gear_minimum",
+            SpeedLimit::Clamp => "clamp",
+        });
+        self.kind("spindle").add("spindle", &name).add("state", &state).add("speed", &spindle.speed);
+        self.add_some("surface", spindle.surface.as_ref()).add_some("limit", limit.as_ref());
+        self.add_some("gear", (!spindle.gear.is_empty()).then_some(&spindle.gear))
+            .add_some("clamp", spindle.clamp.as_ref());
+        if spindle.with_motion {
+            self.add("with_motion", &true);
+        }
+        self
+    }
+}
+
+/// An expected trace in compact notation.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Expectation {
+    lines: Vec<String>,
+}
+
+impl Expectation {
+    /// Reads an expected trace: one event a line; empty lines and lines that begin with `#` are remarks.
+    #[must_use]
+    pub fn parse(text: &str) -> Self {
+        let lines = text.lines().map(str::trim).filter(|line| !line.is_empty() && !line.starts_with('#'));
+        Self { lines: lines.map(str::to_owned).collect() }
+    }
+
+    /// The lines, without remarks.
+    #[must_use]
+    pub fn lines(&self) -> &[String] {
+        &self.lines
+    }
+
+    /// Compares with a trace.
+    ///
+    /// # Errors
+    /// The first divergence, in words.
+    pub fn matches(&self, trace: &[Event]) -> Result<(), String> {
+        let mut events = trace.iter().peekable();
+        let mut lines = self.lines.iter().peekable();
+        while let Some(line) = lines.next() {
+            if line == "..." {
+                let Some(next) = lines.peek() else { return Ok(()) };
+                while events.peek().is_some_and(|event| mismatch(next, event).is_some()) {
+                    events.next();
+                }
+                continue;
+            }
+            let Some(event) = events.next() else {
+                return Err(format!("expected `{line}`, but the trace ends"));
+            };
+            if let Some(reason) = mismatch(line, event) {
+                return Err(format!("expected `{line}`, got `{}` ({reason})", render(event)));
+            }
+        }
+        match events.next() {
+            Some(event) => Err(format!("expected the end of the trace, got `{}`", render(event))),
+            None => Ok(()),
+        }
+    }
+}
+
+/// Why an event does not satisfy a line; `None` when it does.
+fn mismatch(line: &str, event: &Event) -> Option<String> {
+    let actual = fields(event);
+    let mut words = line.split_whitespace();
+    let kind = words.next().unwrap_or_default();
+    if actual.first().is_none_or(|(_, actual)| actual != kind) {
+        return Some("another kind".to_owned());
+    }
+    words.find_map(|word| {
+        let Some((key, value)) = word.split_once('=') else {
+            return Some(format!("`{word}` is not key=value"));
+        };
+        let fits = match key {
+            "line" => event.block.line.to_string() == value,
+            "block" => event.block.sequence.as_str() == value,
+            "program" => event.block.program.as_str() == value,
+            "rules" => {
+                value.split('+').all(|id| event.rules.as_slice().iter().any(|rule| rule.as_str() == id))
+            }
+            "readings" => {
+                value.split('+').all(|name| event.readings.iter().any(|reading| reading.as_str() == name))
+            }
+            _ => match actual.iter().find(|(name, _)| *name == key) {
+                Some((_, actual)) => actual == value,
+                None => value == "-",
+            },
+        };
+        (!fits).then(|| format!("`{word}` does not hold"))
+    })
+}

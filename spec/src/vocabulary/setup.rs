@@ -1,0 +1,502 @@
+//! The set-up: what a program runs on. Every field has a default, so that an empty set-up runs.
+//!
+//! Lengths are millimetres (X as a diameter), angles degrees, times seconds, whatever the unit system of
+//! the program.
+
+use std::collections::BTreeMap;
+use std::fmt;
+
+use serde::{Deserialize, Serialize};
+
+use super::{Angle, Duration, Length, Readings, Speed};
+
+macro_rules! table {
+    ($(#[$meta:meta])* $name:ident { $($(#[$fmeta:meta])* $field:ident : $type:ty = $default:expr),* $(,)? }) => {
+        $(#[$meta])*
+        #[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
+        #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+        #[serde(default, deny_unknown_fields)]
+        pub struct $name { $($(#[$fmeta])* pub $field: $type),* }
+
+        impl Default for $name {
+            fn default() -> Self {
+                Self { $($field: $default),* }
+            }
+        }
+    };
+}
+
+table! {
+    /// A set-up file.
+    Setup {
+        /// The control.
+        control: Control = Control::E100l,
+        /// What a written 1 means (E100L-DEC-01).
+        unit_system: UnitSystem = UnitSystem::Millimetre,
+        /// Optional parameters.
+        parameters: Parameters = Parameters::default(),
+        /// Options of the machine.
+        options: Options = Options::default(),
+        /// Operation panel switches.
+        switches: Switches = Switches::default(),
+        /// How the program text is coded.
+        tape: Tape = Tape::default(),
+        /// Machine position at the start.
+        start: AxisAmounts = AxisAmounts::default(),
+        /// Zero offset.
+        zero_offset: AxisAmounts = AxisAmounts::default(),
+        /// Tool offsets; numbers without an entry hold zero.
+        tool_offset: Vec<ToolOffset> = Vec::new(),
+        /// Nose radius compensation data; numbers without an entry hold zero.
+        nose_radius: Vec<NoseRadius> = Vec::new(),
+        /// Variable travel limits in machine coordinates.
+        limits: Limits = Limits::default(),
+        /// Chuck and tailstock barrier data.
+        barriers: Barriers = Barriers::default(),
+        /// Permissible droop.
+        droop: Droop = Droop::default(),
+        /// Speed ranges of the main spindle.
+        spindle: SpindleSetup = SpindleSetup::default(),
+        /// Time-over check of S, T and M functions.
+        stm: StmCheck = StmCheck::default(),
+        /// What the machine reports while the program runs.
+        inputs: Inputs = Inputs::default(),
+        /// Initial values of common variables, by name (`V1` to `V200`).
+        variables: BTreeMap<String, f64> = BTreeMap::new(),
+        /// Readings of what the manual leaves open.
+        readings: Readings = Readings::default(),
+    }
+}
+
+/// The control.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(rename_all = "snake_case")]
+pub enum Control {
+    /// Okuma OSP-E100L.
+    #[default]
+    E100l,
+}
+
+/// The unit system: what a written 1 means.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub enum UnitSystem {
+    /// 0.001 mm.
+    #[serde(rename = "1um")]
+    Micrometre,
+    /// 0.01 mm.
+    #[serde(rename = "10um")]
+    TenMicrometre,
+    /// 1 mm.
+    #[default]
+    #[serde(rename = "1mm")]
+    Millimetre,
+    /// 0.0001 inch.
+    #[serde(rename = "1/10000inch")]
+    TenThousandthInch,
+    /// 1 inch.
+    #[serde(rename = "1inch")]
+    Inch,
+}
+
+impl UnitSystem {
+    /// Whether lengths are written in inches.
+    #[must_use]
+    pub fn is_inch(self) -> bool {
+        matches!(self, Self::TenThousandthInch | Self::Inch)
+    }
+}
+
+table! {
+    /// Optional parameters of the control.
+    Parameters {
+        /// (OTHER FUNCTION 1) No. 6: permissible difference of start and end radius of an arc.
+        circular_radius_tolerance: Length = Length(20_000),
+        /// (OTHER FUNCTION 1) automatic and any-angle chamfering.
+        chamfering: Chamfering = Chamfering::AnyAngle,
+        /// (OTHER FUNCTION 2) upper limit of the torque of G29, percent, 1 to 100.
+        torque_limit_upper: u8 = 100,
+        /// (OTHER FUNCTION 2) torque monitoring delay of G22 in units of 10 ms, 0 to 9999.
+        torque_monitor_delay: u16 = 0,
+    }
+}
+
+/// Automatic chamfering and rounding.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(rename_all = "snake_case")]
+pub enum Chamfering {
+    /// G75 and G76 are refused.
+    Off,
+    /// Between a motion along one axis and a motion along the other.
+    Basic,
+    /// Between any two lines.
+    AnyAngle,
+}
+
+table! {
+    /// Options of the machine.
+    Options {
+        /// Nose radius compensation: T words of six digits instead of four.
+        nose_radius_compensation: bool = true,
+        /// Number of tool offsets and nose radius entries: 32, 64 or 96.
+        offset_sets: u8 = 32,
+        /// Whether the machine has a W axis.
+        w_axis: bool = false,
+        /// User Task level, 1 or 2.
+        user_task: u8 = 2,
+    }
+}
+
+table! {
+    /// Operation panel switches.
+    Switches {
+        /// BLOCK DELETE.
+        block_delete: bool = false,
+        /// OPTIONAL STOP.
+        optional_stop: bool = false,
+    }
+}
+
+table! {
+    /// How the program text is coded.
+    Tape {
+        /// The code.
+        code: TapeCode = TapeCode::Ascii,
+    }
+}
+
+/// The code of the program text.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(rename_all = "snake_case")]
+pub enum TapeCode {
+    /// Seven-bit characters.
+    Ascii,
+    /// ISO: seven-bit characters with even parity in bit 8.
+    Iso,
+    /// EIA RS-244, odd parity.
+    Eia,
+}
+
+table! {
+    /// One amount an axis.
+    #[derive(Copy)]
+    AxisAmounts {
+        /// X, as a diameter.
+        x: Length = Length(0),
+        /// Z.
+        z: Length = Length(0),
+        /// C.
+        c: Angle = Angle(0),
+        /// W.
+        w: Length = Length(0),
+    }
+}
+
+table! {
+    /// One tool offset.
+    ToolOffset {
+        /// Its number, from 1.
+        number: u8 = 1,
+        /// X, as a diameter.
+        x: Length = Length(0),
+        /// Z.
+        z: Length = Length(0),
+    }
+}
+
+table! {
+    /// One entry of nose radius data: the signed amounts from the imaginary tip to the nose centre.
+    NoseRadius {
+        /// Its number, from 1.
+        number: u8 = 1,
+        /// X, as a radius.
+        x: Length = Length(0),
+        /// Z.
+        z: Length = Length(0),
+    }
+}
+
+table! {
+    /// Variable travel limits in machine coordinates.
+    Limits {
+        /// X, as a diameter.
+        x: Limit = Limit::default(),
+        /// Z.
+        z: Limit = Limit::default(),
+        /// W.
+        w: Limit = Limit::default(),
+    }
+}
+
+table! {
+    /// The limits of one axis; without a value there is none.
+    #[derive(Copy, Eq)]
+    Limit {
+        /// Positive limit.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        positive: Option<Length> = None,
+        /// Negative limit.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        negative: Option<Length> = None,
+    }
+}
+
+table! {
+    /// Chuck and tailstock barrier data, by the manual's letters.
+    #[derive(Copy)]
+    Barriers {
+        /// Chuck jaw dimension L1.
+        chuck_length: Length = Length(0),
+        /// Chuck jaw dimension D1.
+        chuck_diameter: Length = Length(0),
+        /// Chuck jaw position CX.
+        chuck_x: Length = Length(0),
+        /// Chuck jaw position CZ.
+        chuck_z: Length = Length(0),
+        /// Tailstock spindle projection L2.
+        tailstock_length: Length = Length(0),
+        /// Tailstock spindle diameter D2.
+        tailstock_diameter: Length = Length(0),
+        /// Tailstock centre diameter D3.
+        centre_diameter: Length = Length(0),
+        /// Workpiece end face WR.
+        workpiece_end: Length = Length(0),
+    }
+}
+
+table! {
+    /// Permissible droop, in 0.001 mm (0.0001 inch), 0 to 1000 (10000).
+    #[derive(Copy, Eq)]
+    Droop {
+        /// X axis.
+        x: u16 = 0,
+        /// Z axis.
+        z: u16 = 0,
+        /// C axis.
+        c: u16 = 0,
+    }
+}
+
+table! {
+    /// Speed ranges of the main spindle.
+    SpindleSetup {
+        /// Lowest speed when no gear entry applies.
+        minimum: Speed = Speed(0),
+        /// Highest speed when no gear entry applies.
+        maximum: Speed = Speed(65_535_000),
+        /// Gear ranges.
+        gear: Vec<Gear> = Vec::new(),
+    }
+}
+
+table! {
+    /// The speeds of one gear.
+    #[derive(Copy, Eq)]
+    Gear {
+        /// The M code, 40 to 44.
+        code: u8 = 41,
+        /// Lowest speed.
+        minimum: Speed = Speed(0),
+        /// Highest speed.
+        maximum: Speed = Speed(65_535_000),
+    }
+}
+
+table! {
+    /// Time-over check (E100L-STM-01) and the times that the functions take.
+    #[derive(Copy, Eq)]
+    StmCheck {
+        /// Whether the machine parameter enables the check.
+        enabled: bool = false,
+        /// The limit, at most 600 s in steps of 0.1 s.
+        limit: Duration = Duration(600_000_000),
+        /// Time that an S function takes.
+        s: Duration = Duration(0),
+        /// Time that a T function takes.
+        t: Duration = Duration(0),
+        /// Time that an M function takes.
+        m: Duration = Duration(0),
+    }
+}
+
+table! {
+    /// What the machine reports while the program runs.
+    Inputs {
+        /// Machine coordinates at which the torque of each successive G22 block reaches its preset value.
+        torque_stops: Vec<Length> = Vec::new(),
+        /// Whether the turret clamp is confirmed when M203 asks.
+        turret_clamp_confirmed: bool = true,
+        /// Whether a sequence restart is in progress (VRSTT).
+        restart: bool = false,
+    }
+}
+
+impl Setup {
+    /// Reads a set-up file.
+    ///
+    /// # Errors
+    /// When the text is no TOML, has unknown keys or wrong types (the message shows the place), or when
+    /// the values are impossible.
+    pub fn from_toml(text: &str) -> Result<Self, SetupError> {
+        let setup: Self = toml::from_str(text).map_err(|error| SetupError {
+            message: error.to_string().trim_end().to_owned(),
+            span: error.span(),
+        })?;
+        setup.validate()?;
+        Ok(setup)
+    }
+
+    /// Checks the values: ranges, numbers of entries, limits in order.
+    ///
+    /// # Errors
+    /// Names the first field that is impossible.
+    pub fn validate(&self) -> Result<(), SetupError> {
+        let fault = |message: String| Err(SetupError { message, span: None });
+        let within = |value: Length, limit: i64| value.0.unsigned_abs() <= limit.unsigned_abs();
+        let options = &self.options;
+        if ![32, 64, 96].contains(&options.offset_sets) {
+            return fault(format!("options.offset_sets is {}, must be 32, 64 or 96", options.offset_sets));
+        }
+        if ![1, 2].contains(&options.user_task) {
+            return fault(format!("options.user_task is {}, must be 1 or 2", options.user_task));
+        }
+        let parameters = &self.parameters;
+        if !(1..=100).contains(&parameters.torque_limit_upper) {
+            return fault(format!(
+                "parameters.torque_limit_upper is {}, must be 1 to 100",
+                parameters.torque_limit_upper
+            ));
+        }
+        if parameters.torque_monitor_delay > 9999 {
+            return fault(format!(
+                "parameters.torque_monitor_delay is {}, must be 0 to 9999",
+                parameters.torque_monitor_delay
+            ));
+        }
+        if !(0..=1_000_000).contains(&parameters.circular_radius_tolerance.0) {
+            return fault(format!(
+                "parameters.circular_radius_tolerance is {}, must be 0 to 1",
+                parameters.circular_radius_tolerance
+            ));
+        }
+        for (name, amounts) in [("start", &self.start), ("zero_offset", &self.zero_offset)] {
+            let lengths = [("x", amounts.x), ("z", amounts.z), ("w", amounts.w), ("c", Length(amounts.c.0))];
+            for (axis, amount) in lengths {
+                if !within(amount, Self::COORDINATE) {
+                    return fault(format!("{name}.{axis} is {amount}, must be within 99999.999"));
+                }
+                if amount.0 % 1000 != 0 {
+                    return fault(format!("{name}.{axis} is {amount}, finer than 0.001"));
+                }
+            }
+        }
+        let tables = self.tool_offset.iter().map(|each| ("tool_offset", each.number, each.x, each.z));
+        let tables =
+            tables.chain(self.nose_radius.iter().map(|each| ("nose_radius", each.number, each.x, each.z)));
+        let mut seen = std::collections::BTreeSet::new();
+        for (name, number, x, z) in tables {
+            if !(1..=options.offset_sets).contains(&number) {
+                return fault(format!("{name} number {number} is outside 1 to {}", options.offset_sets));
+            }
+            if !seen.insert((name, number)) {
+                return fault(format!("{name} number {number} appears twice"));
+            }
+            for (axis, amount) in [("x", x), ("z", z)] {
+                if !within(amount, 999_999_000) || amount.0 % 1000 != 0 {
+                    return fault(format!(
+                        "{name} number {number}: {axis} is {amount}, must be within 999.999 in steps of 0.001"
+                    ));
+                }
+            }
+        }
+        for (axis, limit) in [("x", self.limits.x), ("z", self.limits.z), ("w", self.limits.w)] {
+            for value in [limit.positive, limit.negative].into_iter().flatten() {
+                if !within(value, Self::COORDINATE) || value.0 % 1000 != 0 {
+                    return fault(format!(
+                        "limits.{axis}: {value} must be within 99999.999 in steps of 0.001"
+                    ));
+                }
+            }
+            if let (Some(positive), Some(negative)) = (limit.positive, limit.negative)
+                && positive < negative
+            {
+                return fault(format!(
+                    "limits.{axis}: the positive limit {positive} lies below the negative limit {negative}"
+                ));
+            }
+        }
+        let b = &self.barriers;
+        let sizes =
+            [b.chuck_length, b.chuck_diameter, b.tailstock_length, b.tailstock_diameter, b.centre_diameter];
+        if sizes.iter().any(|size| !(0..=9_999_999_000).contains(&size.0) || size.0 % 1000 != 0)
+            || [b.chuck_x, b.chuck_z, b.workpiece_end]
+                .iter()
+                .any(|place| !within(*place, 9_999_999_000) || place.0 % 1000 != 0)
+        {
+            return fault(
+                "barriers: sizes must be 0 to 9999.999, positions within 9999.999, in steps of 0.001"
+                    .to_owned(),
+            );
+        }
+        let droop_limit = if self.unit_system.is_inch() { 10_000 } else { 1000 };
+        if [self.droop.x, self.droop.z, self.droop.c].iter().any(|droop| *droop > droop_limit) {
+            return fault(format!("droop must be 0 to {droop_limit}"));
+        }
+        let ranges = self.spindle.gear.iter().map(|gear| (gear.minimum, gear.maximum));
+        for (minimum, maximum) in ranges.chain([(self.spindle.minimum, self.spindle.maximum)]) {
+            if minimum.0 < 0 || maximum.0 > 65_535_000 || minimum > maximum {
+                return fault(format!(
+                    "spindle: the range {minimum} to {maximum} must be in order within 0 to 65535"
+                ));
+            }
+        }
+        let mut gears = std::collections::BTreeSet::new();
+        for gear in &self.spindle.gear {
+            if !(40..=44).contains(&gear.code) || !gears.insert(gear.code) {
+                return fault(format!("spindle.gear code {} must be one of 40 to 44, each once", gear.code));
+            }
+        }
+        if !(0..=600_000_000).contains(&self.stm.limit.0) || self.stm.limit.0 % 100_000 != 0 {
+            return fault(format!("stm.limit is {}, must be 0 to 600 in steps of 0.1", self.stm.limit));
+        }
+        if [self.stm.s, self.stm.t, self.stm.m].iter().any(|time| time.0 < 0) {
+            return fault("stm: a time is negative".to_owned());
+        }
+        if self.inputs.torque_stops.iter().any(|stop| !within(*stop, 2 * Self::COORDINATE)) {
+            return fault("inputs.torque_stops: a coordinate is out of range".to_owned());
+        }
+        for (name, value) in &self.variables {
+            let number = name.strip_prefix('V').and_then(|digits| digits.parse::<u8>().ok());
+            if number.is_none_or(|number| !(1..=200).contains(&number) || *name != format!("V{number}")) {
+                return fault(format!("variables: {name:?} is not one of V1 to V200"));
+            }
+            if !value.is_finite() {
+                return fault(format!("variables: {name} is not finite"));
+            }
+        }
+        Ok(())
+    }
+
+    /// Largest coordinate, 99999.999 mm, in nanometres.
+    pub const COORDINATE: i64 = 99_999_999_000;
+}
+
+/// Why a set-up cannot be used.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct SetupError {
+    /// What is wrong, with the place where the text shows it.
+    pub message: String,
+    /// Byte span of the fault, when it is in the text itself.
+    pub span: Option<std::ops::Range<usize>>,
+}
+
+impl fmt::Display for SetupError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.message)
+    }
+}
+
+impl std::error::Error for SetupError {}

@@ -1,0 +1,3 @@
+//! The fast interpreter of CNC lathe programs, cross-checked against the reference semantics.
+
+pub mod engine;
