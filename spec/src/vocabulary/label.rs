@@ -4,10 +4,10 @@ use std::fmt;
 
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de};
 
-/// At most fifteen ASCII characters, without a heap. Longer text is cut; other characters become `?`.
+/// At most 23 ASCII characters, without a heap. Longer text is cut; other characters become `?`.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Default)]
 pub struct Label {
-    bytes: [u8; 15],
+    bytes: [u8; 23],
     length: u8,
 }
 
@@ -75,7 +75,7 @@ impl<'de> Deserialize<'de> for Label {
         if label.as_str() == text {
             Ok(label)
         } else {
-            Err(de::Error::custom("a name has at most 15 ASCII characters"))
+            Err(de::Error::custom("a name has at most 23 ASCII characters"))
         }
     }
 }

@@ -41,7 +41,7 @@ impl JsonSchema for Label {
     }
 
     fn json_schema(_: &mut SchemaGenerator) -> Schema {
-        json_schema!({ "type": "string", "maxLength": 15 })
+        json_schema!({ "type": "string", "maxLength": 23 })
     }
 }
 

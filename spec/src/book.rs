@@ -1,0 +1,253 @@
+//! The rule texts: embedded, read, and ready to be shown or run.
+//!
+//! A rule is a heading `### E100L-G50-01 · title`, a list of `- key: value` lines, a statement, and examples:
+//! a fence `nc`, an optional fence `toml`, a fence `trace`, with the paragraph in front of them.
+
+use crate::vocabulary::{AlarmName, RuleId, Setup, SetupError};
+
+/// The text of a rule.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RuleText {
+    /// Its id.
+    pub id: RuleId,
+    /// Its title.
+    pub title: String,
+    /// The file that it stands in, under `spec/rules/`.
+    pub file: &'static str,
+    /// Line of its heading.
+    pub line: usize,
+    /// Section of the manual.
+    pub source: String,
+    /// `manual`, `interpretation` or `unspecified`.
+    pub basis: String,
+    /// `core`, `option` or `listed`.
+    pub level: String,
+    /// The alarms that it demands.
+    pub alarms: Vec<AlarmName>,
+    /// The statement, as markdown.
+    pub statement: String,
+    /// The examples.
+    pub examples: Vec<Example>,
+}
+
+/// An executable example.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Example {
+    /// What it shows, and how its trace follows from the rule.
+    pub introduction: String,
+    /// The program.
+    pub program: Vec<u8>,
+    /// The set-up, as TOML; empty for the default one.
+    pub setup: String,
+    /// The expected trace in compact notation.
+    pub trace: String,
+    /// Line of the program's fence.
+    pub line: usize,
+}
+
+impl Example {
+    /// The set-up that the example runs on.
+    ///
+    /// # Errors
+    /// When the set-up text is faulty.
+    pub fn setup(&self) -> Result<Setup, SetupError> {
+        Setup::from_toml(&self.setup)
+    }
+}
+
+macro_rules! chapters {
+    ($($name:literal)*) => {
+        /// The files with rules, in the order of the book, with their texts.
+        pub const CHAPTERS: &[(&str, &str)] = &[$(($name, include_str!(concat!("../rules/", $name)))),*];
+    };
+}
+
+chapters! {
+    "e100l/programs.md"
+    "e100l/blocks.md"
+    "e100l/expressions.md"
+    "e100l/functions.md"
+    "e100l/variables.md"
+    "e100l/coordinates.md"
+    "e100l/motion.md"
+    "e100l/arcs.md"
+    "e100l/chamfers.md"
+    "e100l/angles.md"
+    "e100l/preparatory.md"
+    "e100l/spindle.md"
+    "e100l/tools.md"
+    "e100l/miscellaneous.md"
+}
+
+/// Every rule of the OSP-E100L, in the order of the book.
+///
+/// # Errors
+/// The first place where a text does not have the form of a rule.
+pub fn e100l() -> Result<Vec<RuleText>, String> {
+    let mut rules = Vec::new();
+    for (file, text) in CHAPTERS {
+        rules.append(&mut Reader::new(file, text).chapter()?);
+    }
+    Ok(rules)
+}
+
+struct Reader<'a> {
+    file: &'static str,
+    lines: std::iter::Peekable<std::iter::Enumerate<std::str::Lines<'a>>>,
+}
+
+impl<'a> Reader<'a> {
+    fn new(file: &'static str, text: &'a str) -> Self {
+        Self { file, lines: text.lines().enumerate().peekable() }
+    }
+
+    fn fault(&self, line: usize, what: &str) -> String {
+        format!("spec/rules/{}:{}: {what}", self.file, line + 1)
+    }
+
+    fn chapter(&mut self) -> Result<Vec<RuleText>, String> {
+        let mut rules = Vec::new();
+        while let Some((number, line)) = self.lines.next() {
+            if let Some(heading) = line.strip_prefix("### ") {
+                rules.push(self.rule(number, heading)?);
+            }
+        }
+        Ok(rules)
+    }
+
+    fn rule(&mut self, number: usize, heading: &str) -> Result<RuleText, String> {
+        let (id, title) =
+            heading.split_once(" · ").ok_or_else(|| self.fault(number, "heading without ` · `"))?;
+        let id = RuleId::parse(id).ok_or_else(|| self.fault(number, "unknown rule id"))?;
+        let mut rule = RuleText {
+            id,
+            title: title.to_owned(),
+            file: self.file,
+            line: number + 1,
+            source: String::new(),
+            basis: String::new(),
+            level: String::new(),
+            alarms: Vec::new(),
+            statement: String::new(),
+            examples: Vec::new(),
+        };
+        self.properties(&mut rule)?;
+        self.body(&mut rule)?;
+        rule.statement = rule.statement.trim().to_owned();
+        Ok(rule)
+    }
+
+    fn properties(&mut self, rule: &mut RuleText) -> Result<(), String> {
+        while let Some((number, line)) =
+            self.lines.next_if(|(_, line)| line.starts_with("- ") || line.is_empty())
+        {
+            let Some(property) = line.strip_prefix("- ") else {
+                if rule.source.is_empty() {
+                    continue;
+                } else {
+                    break;
+                };
+            };
+            let (key, value) =
+                property.split_once(": ").ok_or_else(|| self.fault(number, "property without `: `"))?;
+            match key {
+                "source" => value.clone_into(&mut rule.source),
+                "basis" if ["manual", "interpretation", "unspecified"].contains(&value) => {
+                    value.clone_into(&mut rule.basis)
+                }
+                "level" if ["core", "option", "listed"].contains(&value) => value.clone_into(&mut rule.level),
+                "alarms" => {
+                    for name in value.split(", ") {
+                        let alarm = AlarmName::ALL.iter().find(|alarm| alarm.as_str() == name);
+                        rule.alarms.push(*alarm.ok_or_else(|| self.fault(number, "unknown alarm"))?);
+                    }
+                }
+                _ => return Err(self.fault(number, "unknown property or value")),
+            }
+        }
+        if rule.source.is_empty() || rule.basis.is_empty() || rule.level.is_empty() {
+            return Err(self.fault(rule.line - 1, "a rule needs source, basis and level"));
+        }
+        Ok(())
+    }
+
+    /// Statement and examples: the last paragraph before a program is its introduction.
+    fn body(&mut self, rule: &mut RuleText) -> Result<(), String> {
+        let mut prose = String::new();
+        while let Some((number, line)) =
+            self.lines.next_if(|(_, line)| !line.starts_with("### ") && !line.starts_with("## "))
+        {
+            match line {
+                "```nc" => {
+                    let paragraphs = prose.trim_end();
+                    let cut = paragraphs.rfind("\n\n").map_or(0, |place| place + 2);
+                    let (statement, introduction) = paragraphs.split_at(cut);
+                    rule.statement.push_str(statement);
+                    let program = unescape(&self.fence(number)?);
+                    let introduction = introduction.trim().to_owned();
+                    rule.examples.push(Example {
+                        introduction,
+                        program,
+                        setup: String::new(),
+                        trace: String::new(),
+                        line: number + 1,
+                    });
+                    prose.clear();
+                }
+                "```toml" | "```trace" => {
+                    let text = self.fence(number)?;
+                    let Some(example) = rule.examples.last_mut().filter(|example| example.trace.is_empty())
+                    else {
+                        return Err(self.fault(number, "a set-up or trace without program"));
+                    };
+                    *(if line == "```toml" { &mut example.setup } else { &mut example.trace }) = text;
+                }
+                _ => {
+                    prose.push_str(line);
+                    prose.push('\n');
+                }
+            }
+        }
+        rule.statement.push_str(&prose);
+        match rule.examples.iter().find(|example| example.trace.is_empty()) {
+            Some(example) => Err(self.fault(example.line - 1, "a program without trace")),
+            None => Ok(()),
+        }
+    }
+
+    fn fence(&mut self, start: usize) -> Result<String, String> {
+        let mut text = String::new();
+        for (_, line) in self.lines.by_ref() {
+            if line == "```" {
+                return Ok(text);
+            }
+            text.push_str(line);
+            text.push('\n');
+        }
+        Err(self.fault(start, "a fence that does not end"))
+    }
+}
+
+/// `\xHH` stands for a byte.
+fn unescape(text: &str) -> Vec<u8> {
+    let mut bytes = Vec::new();
+    let mut rest = text;
+    while let Some((plain, escaped)) = rest.split_once("\\x") {
+        bytes.extend_from_slice(plain.as_bytes());
+        let code = escaped.get(..2).and_then(|digits| u8::from_str_radix(digits, 16).ok());
+        bytes.push(code.unwrap_or(b'\\'));
+        rest = escaped.get(if code.is_some() { 2 } else { 0 }..).unwrap_or_default();
+    }
+    bytes.extend_from_slice(rest.as_bytes());
+    bytes
+}
+
+#[cfg(test)]
+mod tests {
+    use super::unescape;
+
+    #[test]
+    fn escapes_are_bytes() {
+        assert_eq!(unescape("X\\x0910\n"), b"X\t10\n");
+    }
+}

@@ -1,0 +1,22 @@
+//! Addresses, and the words that are no addresses.
+
+/// Address letters of E100L-ADDR-01 that carry a value.
+pub const LETTERS: &[u8] = b"ABCDEFGHIKLMPQSTUWXZ";
+
+/// Extended addresses that are modelled (E100L-FMT-03).
+pub const EXTENDED: &[&str] = &["SB", "SA", "QA", "PZ", "PW"];
+
+/// The other extended addresses.
+pub const EXTENDED_LATER: &[&str] = &[
+    "AA", "AB", "DA", "DB", "FA", "FB", "IA", "IB", "KA", "KB", "LA", "LB", "RA", "RB", "TA", "TB", "UA",
+    "UB", "WA", "WB", "XA", "XB", "ZA", "ZB", "BC",
+];
+
+/// Statements that stand at the beginning of a block (E100L-GCODE-03).
+pub const STATEMENTS: &[&str] = &[
+    "GOTO", "IF", "CALL", "RTS", "MODIN", "MODOUT", "READ", "WRITE", "GET", "PUT", "NOEX", "PSELECT", "VSET",
+    "END",
+];
+
+/// Binary operators that are words (E100L-MATH-02 to -04, E100L-AEXP-03).
+pub const OPERATOR_WORDS: &[&str] = &["EOR", "OR", "AND", "LT", "LE", "EQ", "NE", "GT", "GE"];

@@ -1,0 +1,123 @@
+//! E100L-GTAB-01: the G codes, their groups, and which of them are modelled.
+
+/// Groups of G codes; one code a group may stand in a block, and modal groups keep theirs.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub enum GGroup {
+    /// G00 G01 G02 G03.
+    Motion,
+    /// G18.
+    Plane,
+    /// G40.
+    Compensation,
+    /// G90 G91.
+    Dimension,
+    /// G94 G95.
+    FeedUnit,
+    /// G96 G97.
+    CuttingSpeed,
+    /// G110.
+    CssTurret,
+    /// G64 G65.
+    Droop,
+    /// G13.
+    Turret,
+    /// G04 G22 G28 G29 G50 G75 G76: act in their block only.
+    OneShot,
+}
+
+impl GGroup {
+    /// The modal groups, in the order in which a reset goes through them.
+    pub const MODAL: [Self; 9] = [
+        Self::Motion,
+        Self::Plane,
+        Self::Compensation,
+        Self::Dimension,
+        Self::FeedUnit,
+        Self::CuttingSpeed,
+        Self::CssTurret,
+        Self::Droop,
+        Self::Turret,
+    ];
+
+    /// Name in the trace.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Motion => "motion",
+            Self::Plane => "plane",
+            Self::Compensation => "compensation",
+            Self::Dimension => "dimension",
+            Self::FeedUnit => "feed_unit",
+            Self::CuttingSpeed => "cutting_speed",
+            Self::CssTurret => "css_turret",
+            Self::Droop => "droop",
+            Self::Turret => "turret",
+            Self::OneShot => "one_shot",
+        }
+    }
+
+    /// The code active at power-on.
+    pub fn initial(self) -> u16 {
+        match self {
+            Self::Motion | Self::OneShot => 0,
+            Self::Plane => 18,
+            Self::Compensation => 40,
+            Self::Dimension => 90,
+            Self::FeedUnit => 95,
+            Self::CuttingSpeed => 97,
+            Self::CssTurret => 110,
+            Self::Droop => 64,
+            Self::Turret => 13,
+        }
+    }
+}
+
+/// What the model does with a G code.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum GCode {
+    /// It is modelled and belongs to this group.
+    Modelled(GGroup),
+    /// It is assigned; its behaviour is not modelled yet.
+    Later,
+    /// It is in the table and the manual never says what it does.
+    Unspecified,
+    /// It is not in the table.
+    Unassigned,
+}
+
+/// Looks a G code up.
+pub fn g_code(code: u16) -> GCode {
+    let group = match code {
+        0..=3 => GGroup::Motion,
+        4 | 22 | 28 | 29 | 50 | 75 | 76 => GGroup::OneShot,
+        13 => GGroup::Turret,
+        18 => GGroup::Plane,
+        40 => GGroup::Compensation,
+        64 | 65 => GGroup::Droop,
+        90 | 91 => GGroup::Dimension,
+        94 | 95 => GGroup::FeedUnit,
+        96 | 97 => GGroup::CuttingSpeed,
+        110 => GGroup::CssTurret,
+        19 | 20 | 21 | 30 | 36 | 37 | 62 | 100 | 107 | 108 | 122 | 123 | 140..=143 | 152 | 191 => {
+            return GCode::Unspecified;
+        }
+        14
+        | 17
+        | 31..=35
+        | 41
+        | 42
+        | 71..=74
+        | 77
+        | 78
+        | 80..=88
+        | 101..=103
+        | 111..=113
+        | 119
+        | 132
+        | 133 => {
+            return GCode::Later;
+        }
+        136..=138 | 161..=171 | 178..=190 | 205..=214 | 312 | 313 => return GCode::Later,
+        _ => return GCode::Unassigned,
+    };
+    GCode::Modelled(group)
+}

@@ -1,0 +1,36 @@
+//! What a stage emits, before the run numbers it and gives it its place.
+
+use crate::vocabulary::{Action, Reading, ReadingSet, RuleId, RuleSet};
+
+/// An event without number and place.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Emission {
+    /// What happens.
+    pub action: Action,
+    /// The rules that produced it.
+    pub rules: RuleSet,
+    /// The readings it depends on.
+    pub readings: ReadingSet,
+}
+
+impl Emission {
+    /// An event that these rules produced.
+    pub fn new(action: Action, rules: RuleSet) -> Self {
+        Self { action, rules, readings: ReadingSet::default() }
+    }
+
+    /// The event, depending on a reading.
+    pub fn reading(self, reading: impl Into<Reading>) -> Self {
+        Self { readings: self.readings.with(reading), ..self }
+    }
+
+    /// The event, depending on these readings.
+    pub fn readings(self, readings: ReadingSet) -> Self {
+        Self { readings: self.readings.union(readings), ..self }
+    }
+
+    /// The event, produced by one more rule if `holds`.
+    pub fn rule_if(self, holds: bool, rule: RuleId) -> Self {
+        if holds { Self { rules: self.rules.with(rule), ..self } } else { self }
+    }
+}

@@ -1,0 +1,138 @@
+//! Program and machine coordinates, and the travel limits.
+//!
+//! E100L-COORD-01, E100L-COORD-02: of the three coordinate systems the encoder's is not modelled, since its
+//! constant offset shows nowhere. E100L-COORD-03: machine = program + zero offset + zero shift + tool offset.
+
+mod limits;
+
+pub use limits::{Limits, TravelLimit};
+
+use crate::vocabulary::{Action, Position};
+use crate::vocabulary::{Angle, FrameCause, Length, Setup, ToolOffsetSign};
+
+/// A full turn in micro-degrees.
+pub const FULL_TURN: i64 = 360_000_000;
+
+/// One amount an axis: X (as a diameter), Z and W in nanometres, C in micro-degrees.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub struct Amounts {
+    /// X.
+    pub x: i64,
+    /// Z.
+    pub z: i64,
+    /// C.
+    pub c: i64,
+    /// W.
+    pub w: i64,
+}
+
+impl Amounts {
+    fn of(amounts: &crate::vocabulary::AxisAmounts) -> Self {
+        Self { x: amounts.x.0, z: amounts.z.0, c: amounts.c.0, w: amounts.w.0 }
+    }
+
+    fn plus(self, other: Self, sign: i64) -> Self {
+        Self {
+            x: self.x + sign * other.x,
+            z: self.z + sign * other.z,
+            c: self.c + sign * other.c,
+            w: self.w + sign * other.w,
+        }
+    }
+
+    /// With C brought into a full turn.
+    fn turned(self) -> Self {
+        Self { c: self.c.rem_euclid(FULL_TURN), ..self }
+    }
+}
+
+/// The relation between program and machine coordinates, and where the machine is.
+#[derive(Clone, Debug)]
+pub struct Frame {
+    /// Machine position, C in a full turn.
+    pub machine: Amounts,
+    /// Zero offset.
+    pub zero_offset: Amounts,
+    /// Zero shift (E100L-G50-02).
+    pub zero_shift: Amounts,
+    /// Active tool offset number.
+    pub offset_number: u8,
+    /// Tool offsets by number; number 0 holds zero.
+    pub tool_offsets: Vec<Amounts>,
+    sign: ToolOffsetSign,
+}
+
+impl Frame {
+    /// The frame at power-on.
+    pub fn new(setup: &Setup) -> Self {
+        let mut tool_offsets = vec![Amounts::default(); usize::from(setup.options.offset_sets) + 1];
+        for offset in &setup.tool_offset {
+            if let Some(entry) = tool_offsets.get_mut(usize::from(offset.number)) {
+                *entry = Amounts { x: offset.x.0, z: offset.z.0, ..Amounts::default() };
+            }
+        }
+        Self {
+            machine: Amounts::of(&setup.start).turned(),
+            zero_offset: Amounts::of(&setup.zero_offset),
+            zero_shift: Amounts::default(),
+            offset_number: 0,
+            tool_offsets,
+            sign: setup.readings.tool_offset,
+        }
+    }
+
+    /// The active tool offset amounts.
+    pub fn active_offset(&self) -> Amounts {
+        self.tool_offsets.get(usize::from(self.offset_number)).copied().unwrap_or_default()
+    }
+
+    /// Machine minus program coordinates (E100L-COORD-03).
+    fn total(&self) -> Amounts {
+        let sign = match self.sign {
+            ToolOffsetSign::Added => 1,
+            ToolOffsetSign::Subtracted => -1,
+        };
+        self.zero_offset.plus(self.zero_shift, 1).plus(self.active_offset(), sign)
+    }
+
+    /// Present program coordinates, C in a full turn.
+    pub fn program(&self) -> Amounts {
+        self.to_program(self.machine)
+    }
+
+    /// Program coordinates of a machine position.
+    pub fn to_program(&self, machine: Amounts) -> Amounts {
+        machine.plus(self.total(), -1).turned()
+    }
+
+    /// Machine coordinates of a program position.
+    pub fn to_machine(&self, program: Amounts) -> Amounts {
+        program.plus(self.total(), 1).turned()
+    }
+
+    /// The event of a changed amount.
+    pub fn event(&self, cause: FrameCause) -> Action {
+        let amounts = match cause {
+            FrameCause::ZeroOffset => self.zero_offset,
+            FrameCause::ZeroShift => self.zero_shift,
+            FrameCause::ToolOffset => self.active_offset(),
+        };
+        Action::Frame {
+            cause,
+            x: Length(amounts.x),
+            z: Length(amounts.z),
+            c: Angle(amounts.c),
+            w: Length(amounts.w),
+        }
+    }
+}
+
+/// A position as it stands in the trace.
+pub fn position(amounts: Amounts, c_joined: bool, w_axis: bool) -> Position {
+    Position {
+        x: Length(amounts.x),
+        z: Length(amounts.z),
+        c: c_joined.then_some(Angle(amounts.c)),
+        w: w_axis.then_some(Length(amounts.w)),
+    }
+}

@@ -1,0 +1,165 @@
+//! Everything of a block but its motion, in order (E100L-FMT-09): modes, feed, G50, S, T, M, and after the
+//! motion the codes that stop or end the program.
+
+use super::check::Plan;
+use super::miscellaneous::{self, Timed, check_time};
+use super::reset::{mode, reset};
+use super::words::code_label;
+use super::{feed, spindle, tool};
+use crate::controls::e100l::g_codes::{GCode, GGroup, g_code};
+use crate::emission::Emission;
+use crate::fault::Outcome;
+use crate::state::State;
+use crate::vocabulary::rule_ids::*;
+use crate::vocabulary::{Action, FrameCause, InchConversion, RuleId, RuleSet};
+
+/// Carries out what comes before the motion.
+pub fn before_motion(plan: &Plan, state: &mut State, emissions: &mut Vec<Emission>) -> Outcome<()> {
+    let words = &plan.words;
+    for code in &words.g {
+        emissions.extend(select(*code, state));
+    }
+    if let Some(number) = words.feed.as_ref().filter(|_| plan.one_shot != Some(4)) {
+        feed::store(number, state)?;
+    }
+    match plan.one_shot {
+        Some(50) => zero_shift(plan, state, emissions),
+        Some(28) => emissions.push(torque_limits(None, None, &[TRQ_02], state)),
+        Some(29) => {
+            let percent = |name| words.extended(name).and_then(|value| u8::try_from(value).ok());
+            let (z, w) = (percent("PZ").or(state.torque.0), percent("PW").or(state.torque.1));
+            emissions.push(torque_limits(z, w, &[TRQ_01, TRQ_08], state));
+        }
+        _ => {}
+    }
+    spindle_words(plan, state, emissions)?;
+    if let Some(number) = words.get('T') {
+        let (event, frame) = tool::command(number, plan.moves, state);
+        emissions.push(event);
+        check_time(&Timed::T, state)?;
+        emissions.extend(frame.map(|frame| of_inch_block(frame, plan, state)));
+    }
+    for code in words.m.iter().filter(|code| !is_program_code(**code)) {
+        emissions.push(miscellaneous::command(*code, plan, state)?);
+        if *code != 124 {
+            // M125 itself is checked still: the check ends behind it.
+            check_m_time(*code, state)?;
+        }
+    }
+    Ok(())
+}
+
+fn check_m_time(code: u16, state: &mut State) -> Outcome<()> {
+    if code == 125 {
+        state.activate(124);
+        let checked = check_time(&Timed::M, state);
+        state.activate(125);
+        return checked;
+    }
+    check_time(&Timed::M, state)
+}
+
+/// M00, M01, M02 and M30 act after the motion.
+fn is_program_code(code: u16) -> bool {
+    matches!(code, 0 | 1 | 2 | 30)
+}
+
+/// E100L-GCODE-02: a code of another mode; the rule that says what the mode means.
+fn select(code: u16, state: &mut State) -> Option<Emission> {
+    let GCode::Modelled(group) = g_code(code) else { return None };
+    let previous = state.modes.get(group);
+    if group == GGroup::OneShot || previous == code {
+        return None;
+    }
+    state.modes.set(group, code);
+    let rule: RuleId = match code {
+        0 => G00_01,
+        1 => G01_01,
+        2 | 3 => CIRC_01,
+        64 => DROOP_02,
+        65 => DROOP_01,
+        90 => ABS_01,
+        91 => ABS_02,
+        94 => FEED_02,
+        95 => FEED_01,
+        96 => CSS_01,
+        97 => CSS_02,
+        110 => CSS_07,
+        13 => TUR_01,
+        _ => GCODE_02,
+    };
+    Some(Emission::new(mode(group, code, previous), RuleSet::of(&[GCODE_02, rule])))
+}
+
+/// E100L-INCH-02: a frame event of a block with a length in inches depends on the conversion.
+fn of_inch_block(event: Emission, plan: &Plan, state: &State) -> Emission {
+    if !plan.words.inch {
+        return event;
+    }
+    let reading: InchConversion = state.setup.readings.inch_conversion;
+    event.rule_if(true, INCH_02).reading(reading)
+}
+
+/// E100L-G50-01 to -04: the shift by which the present point gets the written coordinates.
+fn zero_shift(plan: &Plan, state: &mut State, emissions: &mut Vec<Emission>) {
+    let words = &plan.words;
+    if words.has_any("XZCW") {
+        let present = state.frame.program();
+        let shift = &mut state.frame.zero_shift;
+        shift.x += words.get('X').map_or(0, |value| present.x - value);
+        shift.z += words.get('Z').map_or(0, |value| present.z - value);
+        shift.c += words.get('C').map_or(0, |value| present.c - value);
+        shift.w += words.get('W').map_or(0, |value| present.w - value);
+        let rules = RuleSet::of(&[G50_01, G50_02, G50_03, G50_04]);
+        let event = Emission::new(state.frame.event(FrameCause::ZeroShift), rules);
+        emissions.push(of_inch_block(event, plan, state));
+    }
+    if let Some(speed) = words.get('S') {
+        state.spindle.clamp = Some(speed * 1_000);
+        emissions.push(spindle::clamp_event(RuleSet::of(&[SMAX_02]), state));
+    }
+}
+
+fn torque_limits(z: Option<u8>, w: Option<u8>, rules: &[RuleId], state: &mut State) -> Emission {
+    state.torque = (z, w);
+    Emission::new(Action::Torque { z, w }, RuleSet::of(rules))
+}
+
+fn spindle_words(plan: &Plan, state: &mut State, emissions: &mut Vec<Emission>) -> Outcome<()> {
+    let words = &plan.words;
+    if let Some(value) = words.get('S').filter(|_| plan.one_shot != Some(50)) {
+        spindle::store_s(value, state);
+        let (with_motion, order) = miscellaneous::timing(plan);
+        let event = spindle::main_event(RuleSet::of(&[SPD_01]).union(order), with_motion, state);
+        let event = event.rule_if(plan.moves, SPD_02).rule_if(!state.modes.cutting_speed(), CSS_02);
+        emissions.push(event);
+        check_time(&Timed::S, state)?;
+    }
+    if let Some(speed) = words.extended("SA") {
+        emissions.push(spindle::c_axis_event(speed));
+    }
+    if let Some(speed) = words.extended("SB") {
+        state.spindle.tool_speed = speed * 1_000;
+        emissions.push(spindle::tool_event(RuleSet::of(&[SB_01, SB_02]), state));
+    }
+    Ok(())
+}
+
+/// Carries out what comes after the motion; `true` when the program has ended.
+pub fn after_motion(plan: &Plan, state: &mut State, emissions: &mut Vec<Emission>) -> bool {
+    let code = plan.words.m.iter().copied().find(|code| is_program_code(*code));
+    match code {
+        Some(0) => emissions.push(Emission::new(Action::Stop, RuleSet::of(&[MCODE_02]))),
+        Some(1) if state.setup.switches.optional_stop => {
+            emissions.push(Emission::new(Action::OptionalStop, RuleSet::of(&[MCODE_03])));
+        }
+        Some(code @ (2 | 30)) => {
+            emissions.append(&mut reset(state));
+            let end = Action::End { code: code_label('M', code) };
+            emissions.push(Emission::new(end, RuleSet::of(&[MCODE_04])));
+            return true;
+        }
+        _ => {}
+    }
+    false
+}

@@ -1,0 +1,259 @@
+//! What a block as a whole must satisfy before anything of it is carried out.
+
+use super::words::Words;
+use crate::controls::e100l::g_codes::{GCode, GGroup, g_code};
+use crate::fault::{Fault, Outcome, fail};
+use crate::state::{Modes, State};
+use crate::syntax::Address;
+use crate::vocabulary::rule_ids::*;
+use crate::vocabulary::{AlarmName, Chamfering, Setup};
+
+/// A block that can be carried out.
+#[derive(Clone, Debug)]
+pub struct Plan {
+    /// Its words.
+    pub words: Words,
+    /// The modes that its G codes select.
+    pub modes: Modes,
+    /// Its one-shot G code.
+    pub one_shot: Option<u16>,
+    /// Whether it moves axes.
+    pub moves: bool,
+}
+
+impl Plan {
+    /// Its motion code: 0 to 3.
+    pub fn motion(&self) -> u16 {
+        self.modes.get(GGroup::Motion)
+    }
+
+    /// Whether it is a chamfer or rounding block.
+    pub fn is_chamfer(&self) -> bool {
+        matches!(self.one_shot, Some(75 | 76))
+    }
+
+    /// Whether an angle is all that it says of its end point (E100L-ANG-06).
+    pub fn is_angle_only(&self) -> bool {
+        self.moves && self.motion() <= 1 && self.words.get('A').is_some() && !self.words.has_any("XZ")
+    }
+}
+
+/// Checks the words of a block. `modes` are those before it; `after_angle`: the block before it had an angle
+/// alone.
+pub fn check(words: Words, modes: Modes, after_angle: bool, state: &State) -> Outcome<Plan> {
+    let setup = state.setup;
+    let modes = select(&words, modes);
+    let motion = modes.get(GGroup::Motion);
+    let one_shot = words.one_shot();
+    stands_alone(&words)?;
+    // The S of a G50 block is its clamp.
+    let has_speed = words.get('S').is_some() && one_shot != Some(50);
+    if (words.has_g(96) || words.has_g(97)) && !has_speed {
+        return fail(AlarmName::CuttingSpeedMissing, CSS_03);
+    }
+    let mut moves = false;
+    match one_shot {
+        Some(4) => dwell(&words)?,
+        Some(22) => torque_skip(&words, setup)?,
+        Some(29) => torque_limit(&words, setup)?,
+        Some(50) => zero_shift(&words, setup)?,
+        Some(code @ (75 | 76)) => {
+            chamfer(code, &words, motion, after_angle, setup)?;
+            moves = true;
+        }
+        Some(_) => {}
+        None => {
+            moves = is_motion(&words, motion);
+            if moves {
+                if motion <= 1 {
+                    line(&words, after_angle, setup)?
+                } else {
+                    arc(&words)?
+                }
+                if words.get('W').is_some() && !setup.options.w_axis {
+                    return fail(AlarmName::AxisMissing, AXIS_01);
+                }
+            }
+        }
+    }
+    every_word_has_a_function(&words, one_shot, motion)?;
+    Ok(Plan { words, modes, one_shot, moves })
+}
+
+/// The modes with the block's own G codes (E100L-GCODE-02).
+fn select(words: &Words, mut modes: Modes) -> Modes {
+    for code in &words.g {
+        if let GCode::Modelled(group) = g_code(*code) {
+            modes.set(group, *code);
+        }
+    }
+    modes
+}
+
+/// E100L-MCODE-24, E100L-MCODE-36, E100L-MCODE-37: codes that must stand alone.
+fn stands_alone(words: &Words) -> Outcome<()> {
+    let count = words.g.len() + words.m.len() + words.others.len() + usize::from(words.feed.is_some());
+    if count == 1 && !words.assigns {
+        return Ok(());
+    }
+    for code in &words.m {
+        let rule = match code {
+            110 => MCODE_24,
+            193 => MCODE_36,
+            195 | 196 => MCODE_37,
+            _ => continue,
+        };
+        return fail(AlarmName::NotAlone, rule);
+    }
+    Ok(())
+}
+
+/// E100L-DWELL-01.
+fn dwell(words: &Words) -> Outcome<()> {
+    if words.feed.is_none() { fail(AlarmName::WordMissing, DWELL_01) } else { Ok(()) }
+}
+
+/// E100L-TRQ-03: one axis with the torque of the same axis, D and L.
+fn torque_skip(words: &Words, setup: &Setup) -> Outcome<()> {
+    let axis_w = match (words.get('Z'), words.get('W')) {
+        (Some(_), None) => false,
+        (None, Some(_)) => true,
+        _ => return fail(AlarmName::WordMissing, TRQ_03),
+    };
+    if axis_w && !setup.options.w_axis {
+        return fail(AlarmName::AxisMissing, TRQ_03);
+    }
+    let torques = (words.extended("PZ").is_some(), words.extended("PW").is_some());
+    if torques != (!axis_w, axis_w) || words.get('D').is_none() {
+        return fail(AlarmName::WordMissing, TRQ_03);
+    }
+    match words.get('L') {
+        None => fail(AlarmName::WordMissing, TRQ_03),
+        Some(distance) if distance < 0 => fail(AlarmName::AddressRange, ADDR_01),
+        Some(_) => Ok(()),
+    }
+}
+
+/// E100L-TRQ-01.
+fn torque_limit(words: &Words, setup: &Setup) -> Outcome<()> {
+    let (z, w) = (words.extended("PZ"), words.extended("PW"));
+    if z.is_none() && w.is_none() {
+        return fail(AlarmName::WordMissing, TRQ_01);
+    }
+    if w.is_some() && !setup.options.w_axis {
+        return fail(AlarmName::AxisMissing, TRQ_01);
+    }
+    let upper = i64::from(setup.parameters.torque_limit_upper);
+    if z.into_iter().chain(w).any(|percent| percent > upper) {
+        return fail(AlarmName::TorqueLimitRange, TRQ_01);
+    }
+    Ok(())
+}
+
+/// E100L-G50-01, E100L-G50-06.
+fn zero_shift(words: &Words, setup: &Setup) -> Outcome<()> {
+    if !words.has_any("XZCWS") {
+        return fail(AlarmName::WordMissing, G50_01);
+    }
+    if words.get('W').is_some() && !setup.options.w_axis {
+        return fail(AlarmName::AxisMissing, AXIS_01);
+    }
+    let offset = words.get('T').is_some_and(|tool| tool % 100 != 0);
+    if words.has_any("XZCW") && offset {
+        return fail(AlarmName::OffsetWithG50, G50_06);
+    }
+    Ok(())
+}
+
+/// E100L-CHAM-01, E100L-CHAM-02, E100L-CHAM-05, E100L-CHAM-08, E100L-CHAM-10, E100L-ANG-05.
+fn chamfer(code: u16, words: &Words, motion: u16, after_angle: bool, setup: &Setup) -> Outcome<()> {
+    let chamfering = setup.parameters.chamfering;
+    if motion != 1 {
+        return fail(AlarmName::ChamferNotLinear, CHAM_05);
+    }
+    if chamfering == Chamfering::Off {
+        return fail(AlarmName::ChamferDisabled, CHAM_01);
+    }
+    if words.get('L').is_none_or(|size| size == 0) {
+        return fail(AlarmName::WordMissing, if code == 75 { CHAM_02 } else { CHAM_10 });
+    }
+    let (x, z, angle) = (words.get('X').is_some(), words.get('Z').is_some(), words.get('A').is_some());
+    if chamfering == Chamfering::Basic {
+        return if x == z || angle { fail(AlarmName::ChamferAxes, CHAM_08) } else { Ok(()) };
+    }
+    if !x && !z && !angle {
+        return fail(AlarmName::ChamferAxes, ANG_05);
+    }
+    if angle && x && z && !after_angle {
+        return fail(AlarmName::AngleOverdetermined, DTAP_01);
+    }
+    Ok(())
+}
+
+fn is_motion(words: &Words, motion: u16) -> bool {
+    words.has_any("XZCWA")
+        || words.extended("QA").is_some()
+        || motion >= 2 && (words.has_any("IKL") || words.major_arc())
+}
+
+/// E100L-DTAP-01: what an angle may stand with.
+fn line(words: &Words, after_angle: bool, setup: &Setup) -> Outcome<()> {
+    if words.get('A').is_none() {
+        return Ok(());
+    }
+    let (x, z) = (words.get('X').is_some(), words.get('Z').is_some());
+    if x && z && !after_angle {
+        return fail(AlarmName::AngleOverdetermined, DTAP_01);
+    }
+    if !x && !z && setup.parameters.chamfering != Chamfering::AnyAngle {
+        return fail(AlarmName::AngleUnderdetermined, DTAP_01);
+    }
+    if words.has_any("CW") || words.extended("QA").is_some() {
+        return fail(AlarmName::AngleOverdetermined, DTAP_01);
+    }
+    Ok(())
+}
+
+/// What an arc needs, in the order of execution.md.
+fn arc(words: &Words) -> Outcome<()> {
+    let (i, k) = (words.get('I'), words.get('K'));
+    match words.get('L') {
+        Some(_) if i.is_some() || k.is_some() => fail(AlarmName::ArcRadiusAndCentre, CIRC_15),
+        Some(radius) if radius <= 0 => fail(AlarmName::ArcRadiusNotPositive, CIRC_13),
+        Some(_) if words.get('X').is_none() || words.get('Z').is_none() => {
+            fail(AlarmName::ArcRadiusNeedsBoth, CIRC_14)
+        }
+        Some(_) => Ok(()),
+        None if words.major_arc() => Err(Fault::about(AlarmName::Unspecified, CIRC_18, "CALRG")),
+        None if i.unwrap_or(0) == 0 && k.unwrap_or(0) == 0 => fail(AlarmName::ArcWithoutCentre, CIRC_06),
+        None if !words.has_any("XZ") => Err(Fault::about(AlarmName::Unspecified, CIRC_07, "circle")),
+        None => Ok(()),
+    }
+}
+
+/// E100L-ADDR-01: a word that no function of the block takes.
+fn every_word_has_a_function(words: &Words, one_shot: Option<u16>, motion: u16) -> Outcome<()> {
+    let (letters, extended, calrg): (&[u8], &[&str], bool) = match (one_shot, motion) {
+        (Some(4 | 28), _) => (b"", &[], false),
+        (Some(22), _) => (b"ZWDL", &["PZ", "PW"], false),
+        (Some(29), _) => (b"", &["PZ", "PW"], false),
+        (Some(50), _) => (b"XZCW", &[], false),
+        (Some(_), _) => (b"XZAL", &[], false),
+        (None, 0 | 1) => (b"XZCWA", &["QA"], false),
+        (None, _) => (b"XZIKL", &[], true),
+    };
+    for other in &words.others {
+        let taken = match other.address {
+            None => calrg,
+            Some(Address::Letter(letter)) => b"ST".contains(&letter) || letters.contains(&letter),
+            Some(Address::Extended(name)) => ["SA", "SB"].contains(&name) || extended.contains(&name),
+        };
+        if !taken {
+            let label = other.address.map(|address| address.label());
+            let detail = label.as_ref().map_or("CALRG", |label| label.as_str());
+            let fault = Fault::about(AlarmName::WordWithoutFunction, ADDR_01, detail);
+            return Err(fault.at(other.span.clone()));
+        }
+    }
+    Ok(())
+}

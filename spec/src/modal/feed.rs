@@ -1,0 +1,59 @@
+//! Feed and dwell (E100L-G01-02, E100L-FEED-01 to -03, E100L-DWELL-01, E100L-DWELL-02).
+
+use crate::controls::e100l::g_codes::GGroup;
+use crate::controls::e100l::units;
+use crate::emission::Emission;
+use crate::fault::{Outcome, fail};
+use crate::quantity::{Exact, ratio, round_narrow, whole};
+use crate::state::{Modes, State, StoredFeed};
+use crate::vocabulary::rule_ids::*;
+use crate::vocabulary::{Action, AlarmName, Duration, Feed, FeedRate, FeedUnit, RuleId, RuleSet};
+
+/// Stores the number of an F word; its range is that of the feed unit in force (E100L-ADDR-01).
+pub fn store(number: &Exact, state: &mut State) -> Outcome<()> {
+    let system = state.setup.unit_system;
+    let per_minute = number * units::feed_per_minute(system);
+    let per_revolution = number * units::length(system);
+    let in_force = if state.modes.per_minute() { &per_minute } else { &per_revolution };
+    let (lowest, highest) = if system.is_inch() {
+        (whole(2_540), whole(99_999_999 * 2_540_i64))
+    } else {
+        (whole(1_000), whole(99_999_999_000_i64))
+    };
+    if *in_force < lowest || *in_force > highest {
+        return fail(AlarmName::AddressRange, ADDR_01);
+    }
+    let picometres = |nanometres: &Exact| round_narrow(&(nanometres * whole(1_000)));
+    state.feed = Some(StoredFeed {
+        per_minute: picometres(&per_minute),
+        per_revolution: picometres(&per_revolution),
+        given_in: state.modes.get(GGroup::FeedUnit),
+    });
+    Ok(())
+}
+
+/// The feed of a cutting motion with the rules that it obeys.
+pub fn active_feed(state: &State) -> Outcome<(Feed, RuleSet)> {
+    let Some(stored) = state.feed else { return fail(AlarmName::NoFeed, G01_03) };
+    let modes: &Modes = &state.modes;
+    let (value, unit, rule): (i64, FeedUnit, RuleId) = if modes.per_minute() {
+        (stored.per_minute, FeedUnit::PerMinute, FEED_02)
+    } else {
+        (stored.per_revolution, FeedUnit::PerRevolution, FEED_01)
+    };
+    let mut rules = RuleSet::of(&[rule]);
+    if stored.given_in != modes.get(GGroup::FeedUnit) {
+        rules = rules.with(FEED_03);
+    }
+    Ok((Feed { value: FeedRate(value), unit }, rules))
+}
+
+/// E100L-DWELL-01, E100L-DWELL-02: G04 waits for F seconds, 0.01 to 9999.99.
+pub fn dwell(number: &Exact, state: &State) -> Outcome<Emission> {
+    let seconds = number * units::seconds(state.setup.unit_system);
+    if seconds < ratio(1, 100) || seconds > ratio(999_999, 100) {
+        return fail(AlarmName::AddressRange, DWELL_02);
+    }
+    let time = Duration(round_narrow(&(seconds * whole(1_000_000))));
+    Ok(Emission::new(Action::Dwell { time }, RuleSet::of(&[DWELL_01, DWELL_02])))
+}

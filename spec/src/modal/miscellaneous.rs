@@ -1,0 +1,101 @@
+//! M codes (E100L-MCODE-01 to -39, E100L-MTAB-01, E100L-MTAB-02, E100L-STM-01 to -03, E100L-TUNC-01, E100L-TUNC-02).
+
+use super::check::Plan;
+use super::spindle;
+use super::words::code_label;
+use crate::controls::e100l::m_codes::{aux_rules, group_of};
+use crate::emission::Emission;
+use crate::fault::{Outcome, fail};
+use crate::state::State;
+use crate::vocabulary::rule_ids::*;
+use crate::vocabulary::{Action, AlarmName, Duration, Label, RuleSet, SpindleState};
+
+/// Carries an M code out that acts before the motion; its event.
+pub fn command(code: u16, plan: &Plan, state: &mut State) -> Outcome<Emission> {
+    if matches!(code, 13 | 14) && !state.c_joined() && !state.is_active(153) {
+        // E100L-CAX-04.
+        return fail(AlarmName::MToolNotJoined, CAX_04);
+    }
+    if code == 203 && plan.words.has_g(0) {
+        return turret_unclamp(state);
+    }
+    state.activate(code);
+    Ok(match code {
+        3 => main_spindle(Some(SpindleState::Clockwise), &[MCODE_05, SPD_04], plan, state),
+        4 => main_spindle(Some(SpindleState::CounterClockwise), &[MCODE_05, SPD_04], plan, state),
+        5 => main_spindle(Some(SpindleState::Stop), &[MCODE_05], plan, state),
+        19 => main_spindle(Some(SpindleState::Orient), &[MCODE_08], plan, state),
+        40..=44 => main_spindle(None, &[MCODE_14, SPD_05], plan, state),
+        12 => tool_spindle(SpindleState::Stop, &[MCODE_06], state),
+        13 => tool_spindle(SpindleState::Clockwise, &[MCODE_06, SB_03], state),
+        14 => tool_spindle(SpindleState::CounterClockwise, &[MCODE_06, SB_03], state),
+        240..=244 => spindle::tool_event(RuleSet::of(&[MCODE_39, SB_04]), state),
+        8 | 9 => Emission::new(Action::Coolant { on: code == 8 }, RuleSet::of(&[MTAB_01])),
+        _ => auxiliary(code, RuleSet::of(aux_rules(code))),
+    })
+}
+
+fn auxiliary(code: u16, rules: RuleSet) -> Emission {
+    let group = group_of(code).map_or(Label::default(), |group| Label::new(group.name));
+    Emission::new(Action::Aux { code: code_label('M', code), group }, rules)
+}
+
+fn main_spindle(
+    command: Option<SpindleState>,
+    rules: &[crate::vocabulary::RuleId],
+    plan: &Plan,
+    state: &mut State,
+) -> Emission {
+    if let Some(command) = command {
+        state.spindle.main = command;
+    }
+    let (with_motion, order) = timing(plan);
+    spindle::main_event(RuleSet::of(rules).union(order), with_motion, state)
+}
+
+/// E100L-MCODE-19, E100L-M63-01, E100L-M63-02: whether spindle commands go together with the motion of their
+/// block.
+pub fn timing(plan: &Plan) -> (bool, RuleSet) {
+    match (plan.moves, plan.words.m.contains(&63)) {
+        (true, false) => (false, RuleSet::of(&[M63_01])),
+        (with_motion, true) => (with_motion, RuleSet::of(&[M63_02])),
+        (false, false) => (false, RuleSet::EMPTY),
+    }
+}
+
+fn tool_spindle(command: SpindleState, rules: &[crate::vocabulary::RuleId], state: &mut State) -> Emission {
+    state.spindle.tool = command;
+    spindle::tool_event(RuleSet::of(rules), state)
+}
+
+/// E100L-TUNC-01, E100L-TUNC-02: M203 in a block with G00.
+fn turret_unclamp(state: &State) -> Outcome<Emission> {
+    if state.cut_last && !state.setup.inputs.turret_clamp_confirmed {
+        return fail(AlarmName::TurretClamp, TUNC_02);
+    }
+    Ok(auxiliary(203, RuleSet::of(&[TUNC_01])))
+}
+
+/// The functions whose time is checked.
+pub enum Timed {
+    /// S words.
+    S,
+    /// T words.
+    T,
+    /// M codes.
+    M,
+}
+
+/// E100L-STM-01, E100L-STM-03: a function that takes longer than the limit.
+pub fn check_time(function: &Timed, state: &State) -> Outcome<()> {
+    let stm = &state.setup.stm;
+    let time: Duration = match function {
+        Timed::S => stm.s,
+        Timed::T => stm.t,
+        Timed::M => stm.m,
+    };
+    if stm.enabled && state.is_active(124) && time > stm.limit {
+        return fail(AlarmName::StmOver, STM_01);
+    }
+    Ok(())
+}

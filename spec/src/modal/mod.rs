@@ -1,0 +1,20 @@
+//! Codes and modes: from the words of a block to what is to be done.
+//!
+//! [`words`](Words) holds the values, [`check`] refuses blocks that contradict themselves, [`carry_out`]
+//! does everything but the motion, in the order of E100L-FMT-09.
+
+mod carry_out;
+mod check;
+mod feed;
+mod miscellaneous;
+mod reset;
+mod spindle;
+mod tool;
+mod words;
+
+pub use carry_out::{after_motion, before_motion};
+pub use check::{Plan, check};
+pub use feed::active_feed;
+pub use feed::dwell;
+pub use spindle::motion_speed;
+pub use words::{Other, Words, evaluate};

@@ -1,0 +1,156 @@
+//! Elements of the path: what every motion has in common.
+
+use crate::emission::Emission;
+use crate::fault::{Outcome, fail};
+use crate::frame::{Amounts, position};
+use crate::modal::{Plan, motion_speed};
+use crate::quantity::{ratio, whole};
+use crate::real::{self, Interval};
+use crate::state::State;
+use crate::vocabulary::rule_ids::*;
+use crate::vocabulary::{Action, AlarmName, Angle, FeedLength, Length, Motion, ReadingSet, RuleSet, Setup};
+
+/// The axes that a motion commands.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub struct Axes {
+    /// X.
+    pub x: bool,
+    /// Z.
+    pub z: bool,
+    /// W.
+    pub w: bool,
+    /// C, with its travel in micro-degrees.
+    pub c: Option<i64>,
+}
+
+impl Axes {
+    /// X and Z.
+    pub const PLANE: Self = Self { x: true, z: true, w: false, c: None };
+}
+
+/// E100L-ADDR-01: a target that no coordinate word could name.
+pub fn check_range(x: i64, z: i64, w: i64) -> Outcome<()> {
+    let beyond = |value: i64| value.abs() > Setup::COORDINATE;
+    if [x, z, w].into_iter().any(beyond) { fail(AlarmName::CoordinateRange, ADDR_01) } else { Ok(()) }
+}
+
+/// Rules that every motion of a block obeys; X is a diameter with the C axis too (E100L-DIA-02).
+pub fn coordinate_rules(plan: &Plan) -> RuleSet {
+    let incremental = plan.modes.incremental();
+    let mut rules = RuleSet::of(&[COORD_03, if incremental { ABS_02 } else { ABS_01 }]);
+    if plan.words.get('X').is_some() {
+        rules = rules.with(DIA_01);
+        if incremental {
+            rules = rules.with(ABS_03);
+        }
+    }
+    if plan.words.inch { rules.with(INCH_02) } else { rules }
+}
+
+/// The reading of the inch conversion, where a block depends on it.
+pub fn coordinate_readings(plan: &Plan, setup: &Setup) -> ReadingSet {
+    if plan.words.inch {
+        ReadingSet::default().with(setup.readings.inch_conversion)
+    } else {
+        ReadingSet::default()
+    }
+}
+
+/// Moves the machine to a program position and describes the motion. `clamped`: the positive limits replace
+/// the target (E100L-LIM-01), else they alarm; the second result tells whether one did.
+pub fn go(target: Amounts, axes: Axes, clamped: bool, state: &mut State) -> Outcome<(Motion, bool)> {
+    let wanted = state.frame.to_machine(target);
+    let mut machine = state.frame.machine;
+    let mut replaced = false;
+    let limits = state.limits;
+    let commanded = [
+        (axes.x, &limits.x, wanted.x, &mut machine.x),
+        (axes.z, &limits.z, wanted.z, &mut machine.z),
+        (axes.w, &limits.w, wanted.w, &mut machine.w),
+    ];
+    for (moves, limit, wanted, place) in commanded {
+        if moves {
+            if !clamped {
+                limit.check(wanted)?;
+            }
+            let (allowed, beyond) = limit.clamp(wanted)?;
+            *place = allowed;
+            replaced |= beyond;
+        }
+    }
+    if axes.c.is_some() {
+        machine.c = wanted.c;
+    }
+    state.frame.machine = machine;
+    let program = state.frame.program();
+    let (c_joined, w_axis) = (state.c_joined(), state.setup.options.w_axis);
+    let motion = Motion {
+        program: position(program, c_joined, w_axis),
+        machine: position(machine, c_joined, w_axis),
+        c_travel: axes.c.map(Angle),
+        speed: motion_speed(program.x, state).map(|speed| speed.speed),
+    };
+    Ok((motion, replaced))
+}
+
+/// E100L-CSS-01, E100L-CSS-05: the event with the rules and readings of the spindle speed at its end.
+pub fn with_speed(event: Emission, rapid: bool, state: &State) -> Emission {
+    match motion_speed(state.frame.program().x, state) {
+        None => event,
+        Some(speed) => {
+            let rules = event.rules.with(if rapid { CSS_05 } else { CSS_01 }).union(speed.rules());
+            Emission { rules, ..event }.readings(speed.readings())
+        }
+    }
+}
+
+/// The length on which the feed of a line is measured, with its rules and its reading.
+///
+/// E100L-G01-04 without C; E100L-CFEED-01, E100L-CFEED-03 with C: travels of diameters, and 360 degrees count
+/// as 500 mm.
+pub fn feed_path(
+    from: Amounts,
+    to: Amounts,
+    c_travel: Option<i64>,
+    setup: &Setup,
+) -> (Length, RuleSet, ReadingSet) {
+    let (x, z, w) = (whole(to.x - from.x), whole(to.z - from.z), whole(to.w - from.w));
+    let (x, c, rules, readings) = match c_travel {
+        Some(travel) => {
+            (x, ratio(travel * 25, 18), RuleSet::of(&[CFEED_01, CFEED_03]), ReadingSet::default())
+        }
+        None => {
+            let reading = setup.readings.feed_length;
+            let x = if reading == FeedLength::Radius { x / whole(2) } else { x };
+            (x, whole(0), RuleSet::of(&[G01_04]), ReadingSet::default().with(reading))
+        }
+    };
+    let square = &x * &x + &z * &z + &w * &w + &c * &c;
+    let length = real::nearest_whole(|precision| Interval::of(&square, precision).sqrt());
+    (Length(crate::quantity::narrow(&length)), rules, readings)
+}
+
+/// A line at a feed to a program position.
+pub fn line(
+    target: Amounts,
+    axes: Axes,
+    rules: RuleSet,
+    plan: &Plan,
+    state: &mut State,
+) -> Outcome<Emission> {
+    let (feed, feed_rules) = crate::modal::active_feed(state)?;
+    let from = state.frame.machine;
+    let (motion, replaced) = go(target, axes, true, state)?;
+    let (path, path_rules, path_readings) = feed_path(from, state.frame.machine, axes.c, state.setup);
+    state.cut_last = true;
+    let rules = RuleSet::of(&[G01_01, G01_02])
+        .union(feed_rules)
+        .union(coordinate_rules(plan))
+        .union(path_rules)
+        .union(rules);
+    let event = Emission::new(Action::Linear { motion, feed, path }, rules)
+        .readings(path_readings)
+        .readings(coordinate_readings(plan, state.setup))
+        .rule_if(replaced, LIM_01);
+    Ok(with_speed(event, false, state))
+}

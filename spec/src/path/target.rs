@@ -1,0 +1,154 @@
+//! Where a line of the turning plane ends: from its words, and from the block after it where it has an
+//! angle alone.
+
+use super::angle::{Inclination, meeting, x_at, z_at};
+use super::plane::Vector;
+use crate::fault::{Fault, Outcome};
+use crate::modal::Plan;
+use crate::state::{Base, State};
+use crate::syntax::Address;
+use crate::vocabulary::rule_ids::*;
+use crate::vocabulary::{AlarmName, IncrementalAfterChamfer, Place, ReadingSet, RuleSet};
+
+/// A block that look-ahead has read.
+#[derive(Clone, Debug)]
+pub enum Ahead {
+    /// A block, with what it holds.
+    Block(Box<Plan>, Place),
+    /// Nothing that a corner could be computed from: an assignment, or the end of the program.
+    Nothing,
+}
+
+/// The end of a line: X (as a diameter) and Z, with the rules and readings that led there.
+#[derive(Clone, Debug)]
+pub struct End {
+    /// X and Z.
+    pub point: (i64, i64),
+    /// Rules of the angle and of the base point.
+    pub rules: RuleSet,
+    /// Readings.
+    pub readings: ReadingSet,
+}
+
+/// Where the coordinates of a line come from: the point that it starts at, and the point that incremental
+/// words count from.
+#[derive(Clone, Copy, Debug)]
+pub struct Origin {
+    /// Start: X (as a diameter) and Z.
+    pub start: (i64, i64),
+    /// Base of incremental words.
+    pub incremental: (i64, i64),
+}
+
+/// Forgets the base point of a chamfer block before.
+pub fn forget_base(state: &mut State) {
+    state.base = None;
+}
+
+/// The origin of a block, and the reading that it depends on (E100L-CHAM-13).
+pub fn origin(plan: &Plan, state: &State) -> (Origin, RuleSet, ReadingSet) {
+    let present = state.frame.program();
+    let present = (present.x, present.z);
+    let here = Origin { start: present, incremental: present };
+    match state.base {
+        None => (here, RuleSet::EMPTY, ReadingSet::default()),
+        Some(Base { corner, whole: true }) => {
+            (Origin { start: corner, incremental: corner }, RuleSet::EMPTY, ReadingSet::default())
+        }
+        Some(Base { corner, whole: false }) => {
+            if !plan.modes.incremental() || !plan.words.has_any("XZ") {
+                return (here, RuleSet::EMPTY, ReadingSet::default());
+            }
+            let reading = state.setup.readings.incremental_after_chamfer;
+            let base = if reading == IncrementalAfterChamfer::Corner { corner } else { present };
+            let origin = Origin { incremental: base, ..here };
+            (origin, RuleSet::of(&[CHAM_13]), ReadingSet::default().with(reading))
+        }
+    }
+}
+
+/// Where the line of a block ends. `angle_target`: its end point, when the block before it had an angle alone.
+pub fn line_end(
+    plan: &Plan,
+    origin: Origin,
+    angle_target: Option<(i64, i64)>,
+    ahead: &[Ahead],
+) -> Outcome<End> {
+    let words = &plan.words;
+    let plain = |rules| End { point: (0, 0), rules, readings: ReadingSet::default() };
+    if let Some(point) = angle_target {
+        return Ok(End { point, ..plain(RuleSet::of(&[ANG_01, ANG_06])) });
+    }
+    let incremental = plan.modes.incremental();
+    let coordinate =
+        |word: Option<i64>, base: i64| word.map(|value| if incremental { base + value } else { value });
+    let x = coordinate(words.get('X'), origin.incremental.0);
+    let z = coordinate(words.get('Z'), origin.incremental.1);
+    let Some(angle) = words.get('A') else {
+        let point = (x.unwrap_or(origin.start.0), z.unwrap_or(origin.start.1));
+        return Ok(End { point, ..plain(RuleSet::EMPTY) });
+    };
+    let start = Vector::of(origin.start.0, origin.start.1);
+    let inclination = Inclination(angle);
+    let mut rules = RuleSet::of(&[DTAP_03, ANG_01, ANG_02]);
+    if incremental {
+        rules = rules.with(DTAP_05);
+    }
+    match (x, z) {
+        (Some(x), _) => Ok(End { point: (x, z_at(&start, inclination, x)?), ..plain(rules) }),
+        (None, Some(z)) => Ok(End { point: (x_at(&start, inclination, z)?, z), ..plain(rules) }),
+        (None, None) => {
+            let point = meeting_point(plan, &start, inclination, origin, ahead)?;
+            let rule = if plan.is_chamfer() { ANG_05 } else { ANG_06 };
+            Ok(End { point, ..plain(RuleSet::of(&[ANG_01, rule])) })
+        }
+    }
+}
+
+/// E100L-ANG-06: the end of an angle-only line, from the block after it.
+fn meeting_point(
+    plan: &Plan,
+    start: &Vector,
+    inclination: Inclination,
+    origin: Origin,
+    ahead: &[Ahead],
+) -> Outcome<(i64, i64)> {
+    let (next, _) = next_block(plan, ahead)?;
+    let second =
+        next.words.get('A').filter(|_| next.words.get('X').is_some() && next.words.get('Z').is_some());
+    let Some(second) = second else { return Err(lacks_data(plan)) };
+    let end = angle_end(next, origin.incremental);
+    meeting(start, inclination, &Vector::of(end.0, end.1), Inclination(second))
+}
+
+/// The end point of the block after an angle-only block; incremental words count from the start of that one.
+pub fn angle_end(next: &Plan, base: (i64, i64)) -> (i64, i64) {
+    let base = if next.modes.incremental() { base } else { (0, 0) };
+    (base.0 + next.words.get('X').unwrap_or(0), base.1 + next.words.get('Z').unwrap_or(0))
+}
+
+/// E100L-ANG-05, E100L-ANG-06: the next block lacks the data of the corner.
+pub fn lacks_data(plan: &Plan) -> Fault {
+    Fault::new(AlarmName::AngleLookahead, if plan.is_chamfer() { ANG_05 } else { ANG_06 })
+}
+
+/// The block after one that needs it, if it is a line of the turning plane and nothing more.
+pub fn next_block<'p>(plan: &Plan, ahead: &'p [Ahead]) -> Outcome<(&'p Plan, Place)> {
+    let Some(Ahead::Block(next, place)) = ahead.first() else { return Err(lacks_data(plan)) };
+    let chamfer = plan.is_chamfer();
+    let motion = next.motion();
+    if motion != 1 && chamfer {
+        // E100L-ANG-07: only corners between two lines.
+        return Err(Fault::new(AlarmName::ChamferCorner, ANG_07));
+    }
+    let g_fits = next.words.g.iter().all(|code| matches!(code, 0 | 1 | 75 | 76 | 90 | 91 | 94 | 95));
+    let fits = |other: &crate::modal::Other| match other.address {
+        Some(Address::Letter(letter)) => b"XZALS".contains(&letter),
+        _ => false,
+    };
+    let others_fit = next.words.others.iter().all(fits);
+    if motion > 1 || !g_fits || !others_fit || !next.words.has_any("XZA") {
+        return Err(lacks_data(plan));
+    }
+    Ok((next, *place))
+}

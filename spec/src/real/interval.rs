@@ -1,0 +1,135 @@
+//! Intervals with dyadic ends: arithmetic that always contains the exact result.
+
+use dashu_int::ops::SquareRoot;
+use dashu_int::{IBig, UBig};
+
+use crate::quantity::Exact;
+
+/// All real numbers from `low / 2^precision` to `high / 2^precision`.
+#[derive(Clone, Debug)]
+pub struct Interval {
+    low: IBig,
+    high: IBig,
+    precision: usize,
+}
+
+impl Interval {
+    /// The interval of the working precision around an exact number.
+    pub fn of(value: &Exact, precision: usize) -> Self {
+        let scaled = value * Exact::from(IBig::ONE << precision);
+        Self { low: scaled.floor(), high: scaled.ceil(), precision }
+    }
+
+    /// Lower end.
+    pub fn low(&self) -> Exact {
+        Exact::from_parts(self.low.clone(), UBig::ONE << self.precision)
+    }
+
+    /// Upper end.
+    pub fn high(&self) -> Exact {
+        Exact::from_parts(self.high.clone(), UBig::ONE << self.precision)
+    }
+
+    /// Its sign, if the interval does not contain zero.
+    pub fn sign(&self) -> Option<i8> {
+        if self.low > IBig::ZERO {
+            Some(1)
+        } else if self.high < IBig::ZERO {
+            Some(-1)
+        } else {
+            None
+        }
+    }
+
+    /// Sum.
+    pub fn add(&self, other: &Self) -> Self {
+        Self { low: &self.low + &other.low, high: &self.high + &other.high, precision: self.precision }
+    }
+
+    /// Difference.
+    pub fn sub(&self, other: &Self) -> Self {
+        self.add(&other.neg())
+    }
+
+    /// Negative.
+    pub fn neg(&self) -> Self {
+        Self { low: -self.high.clone(), high: -self.low.clone(), precision: self.precision }
+    }
+
+    /// Product.
+    pub fn mul(&self, other: &Self) -> Self {
+        let products = [
+            &self.low * &other.low,
+            &self.low * &other.high,
+            &self.high * &other.low,
+            &self.high * &other.high,
+        ];
+        let low = products.iter().min().cloned().unwrap_or_default();
+        let high = products.iter().max().cloned().unwrap_or_default();
+        Self { low: low >> self.precision, high: -(-high >> self.precision), precision: self.precision }
+    }
+
+    /// Quotient by an interval that may contain zero only through lack of precision; the result is then
+    /// as wide as the precision allows, and a higher one decides.
+    pub fn div(&self, other: &Self) -> Self {
+        if other.sign().is_none() {
+            let bound = IBig::ONE << (4 * self.precision);
+            return Self { low: -bound.clone(), high: bound, precision: self.precision };
+        }
+        let one = IBig::ONE << (2 * self.precision);
+        let (low, high) = (&one / &other.high, &one / &other.low);
+        let inverse = Self { low: low - 1, high: high + 1, precision: self.precision };
+        self.mul(&inverse)
+    }
+
+    /// Square root of the non-negative part.
+    pub fn sqrt(&self) -> Self {
+        let root = |end: &IBig| {
+            let (sign, magnitude) = (end.clone() << self.precision).into_parts();
+            if sign == dashu_int::Sign::Negative { IBig::ZERO } else { IBig::from(magnitude.sqrt()) }
+        };
+        Self { low: root(&self.low), high: root(&self.high) + 1, precision: self.precision }
+    }
+
+    /// Half-open growth of both ends by `2^-precision * ulps`, for the remainder of a series.
+    pub(super) fn widen(&self, ulps: u32) -> Self {
+        Self { low: &self.low - ulps, high: &self.high + ulps, precision: self.precision }
+    }
+
+    /// Whether both ends are closer to zero than `2^-precision`.
+    pub(super) fn vanishes(&self) -> bool {
+        let one = IBig::ONE;
+        -&one <= self.low && self.high <= one
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Interval;
+    use crate::quantity::{Exact, ratio, whole};
+
+    fn contains(interval: &Interval, value: &Exact) -> bool {
+        interval.low() <= *value && *value <= interval.high()
+    }
+
+    #[test]
+    fn operations_contain_the_exact_result() {
+        for (a, b) in [(7, 3), (-7, 3), (7, -3), (-1, -9), (0, 5), (1, 1000)] {
+            let (x, y) = (ratio(a, 11), ratio(b, 13));
+            let (left, right) = (Interval::of(&x, 64), Interval::of(&y, 64));
+            assert!(contains(&left.add(&right), &(&x + &y)));
+            assert!(contains(&left.sub(&right), &(&x - &y)));
+            assert!(contains(&left.mul(&right), &(&x * &y)));
+            assert!(contains(&left.div(&right), &(&x / &y)), "{a} {b}");
+        }
+    }
+
+    #[test]
+    fn a_root_squares_back() {
+        for value in [0, 1, 2, 9, 1_000_003] {
+            let root = Interval::of(&whole(value), 80).sqrt();
+            assert!(contains(&root.mul(&root), &whole(value)));
+            assert!(root.high() - root.low() < ratio(1, 1 << 60));
+        }
+    }
+}

@@ -1,0 +1,179 @@
+//! Everything that a control remembers from one block to the next.
+
+use crate::controls::e100l::g_codes::GGroup;
+use crate::controls::e100l::m_codes::GROUPS;
+use crate::controls::e100l::system_variables::Axis;
+use crate::frame::{Frame, Limits, TravelLimit};
+use crate::task::Memory;
+use crate::vocabulary::{Setup, SpindleState};
+
+/// The state of a control.
+pub struct State<'a> {
+    /// What it runs on.
+    pub setup: &'a Setup,
+    /// Coordinates.
+    pub frame: Frame,
+    /// Travel limits.
+    pub limits: Limits,
+    /// Variables.
+    pub memory: Memory,
+    /// Modal G codes.
+    pub modes: Modes,
+    /// Active M codes, in the order of the groups; none before the first where a group has no initial state.
+    m_codes: Vec<Option<u16>>,
+    /// F, once it was programmed.
+    pub feed: Option<StoredFeed>,
+    /// Spindles.
+    pub spindle: SpindleStore,
+    /// Active tool (turret station).
+    pub tool: u8,
+    /// Torque limits of Z and W in percent.
+    pub torque: (Option<u8>, Option<u8>),
+    /// How many torque stops of the set-up were used.
+    pub stops_used: usize,
+    /// Whether the last motion was a cutting one.
+    pub cut_last: bool,
+    /// Where the next block counts from, after a chamfer block.
+    pub base: Option<Base>,
+    /// The end point of this block, when the block before had an angle alone.
+    pub angle_target: Option<(i64, i64)>,
+}
+
+/// The modal G codes, in the order of the groups.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Modes([u16; GGroup::MODAL.len()]);
+
+/// A feed word: the two readings of its number, in picometres (E100L-FEED-03).
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct StoredFeed {
+    /// Per minute.
+    pub per_minute: i64,
+    /// Per revolution.
+    pub per_revolution: i64,
+    /// The feed code in force when it was programmed.
+    pub given_in: u16,
+}
+
+/// What was commanded of the spindles.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub struct SpindleStore {
+    /// Main spindle.
+    pub main: SpindleState,
+    /// S of G97, in thousandths of a revolution per minute.
+    pub speed: i64,
+    /// S of G96, in micrometres per minute.
+    pub surface: i64,
+    /// Clamp of `G50 S`.
+    pub clamp: Option<i64>,
+    /// Rotary tool.
+    pub tool: SpindleState,
+    /// SB.
+    pub tool_speed: i64,
+}
+
+/// The programmed corner of the chamfer block before (X as a diameter, Z).
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Base {
+    /// The corner.
+    pub corner: (i64, i64),
+    /// Whether targets count from it altogether (any-angle form) or only incremental words (basic form).
+    pub whole: bool,
+}
+
+impl<'a> State<'a> {
+    /// The state at power-on.
+    pub fn new(setup: &'a Setup) -> Self {
+        Self {
+            setup,
+            frame: Frame::new(setup),
+            limits: Limits::new(setup),
+            memory: Memory::new(setup),
+            modes: Modes(GGroup::MODAL.map(GGroup::initial)),
+            m_codes: GROUPS
+                .iter()
+                .map(|group| group.codes.first().copied().filter(|_| group.initial))
+                .collect(),
+            feed: None,
+            spindle: SpindleStore::default(),
+            tool: 0,
+            torque: (None, None),
+            stops_used: 0,
+            cut_last: false,
+            base: None,
+            angle_target: None,
+        }
+    }
+
+    /// Whether an M code is the active one of its group.
+    pub fn is_active(&self, code: u16) -> bool {
+        self.m_codes.contains(&Some(code))
+    }
+
+    /// The active code of a group.
+    pub fn active(&self, group: &str) -> Option<u16> {
+        let index = GROUPS.iter().position(|each| each.name == group)?;
+        self.m_codes.get(index).copied().flatten()
+    }
+
+    /// Makes an M code the active one of its group, if it has one.
+    pub fn activate(&mut self, code: u16) {
+        let index = GROUPS.iter().position(|group| group.codes.contains(&code));
+        if let Some(slot) = index.and_then(|index| self.m_codes.get_mut(index)) {
+            *slot = Some(code);
+        }
+    }
+
+    /// The travel limit of an axis.
+    pub fn travel_limit(&self, axis: Axis) -> &TravelLimit {
+        match axis {
+            Axis::X => &self.limits.x,
+            Axis::Z => &self.limits.z,
+            Axis::W | Axis::C => &self.limits.w,
+        }
+    }
+
+    /// The travel limit of an axis, to be set.
+    pub fn travel_limit_mut(&mut self, axis: Axis) -> &mut TravelLimit {
+        match axis {
+            Axis::X => &mut self.limits.x,
+            Axis::Z => &mut self.limits.z,
+            Axis::W | Axis::C => &mut self.limits.w,
+        }
+    }
+
+    /// Whether the C axis is joined.
+    pub fn c_joined(&self) -> bool {
+        self.is_active(110)
+    }
+}
+
+impl Modes {
+    /// The active code of a group; of the one-shot group none is.
+    pub fn get(&self, group: GGroup) -> u16 {
+        let index = GGroup::MODAL.iter().position(|each| *each == group);
+        index.and_then(|index| self.0.get(index)).copied().unwrap_or_default()
+    }
+
+    /// Makes a code the active one of its group.
+    pub fn set(&mut self, group: GGroup, code: u16) {
+        let index = GGroup::MODAL.iter().position(|each| *each == group);
+        if let Some(slot) = index.and_then(|index| self.0.get_mut(index)) {
+            *slot = code;
+        }
+    }
+
+    /// Whether G91 is in force.
+    pub fn incremental(&self) -> bool {
+        self.get(GGroup::Dimension) == 91
+    }
+
+    /// Whether G96 is in force.
+    pub fn cutting_speed(&self) -> bool {
+        self.get(GGroup::CuttingSpeed) == 96
+    }
+
+    /// Whether G94 is in force.
+    pub fn per_minute(&self) -> bool {
+        self.get(GGroup::FeedUnit) == 94
+    }
+}

@@ -1,0 +1,215 @@
+//! The items of a block: words, assignments, the mnemonic.
+
+use super::cursor::{Cursor, is_blank};
+use super::tree::{Address, BinaryOperator, Expression, Function, Item, ItemKind, Value, Variable};
+use super::{expression, number};
+use crate::controls::e100l::addresses::{EXTENDED, EXTENDED_LATER, LETTERS, OPERATOR_WORDS, STATEMENTS};
+use crate::controls::e100l::system_variables::{self, SystemVariable};
+use crate::fault::{Fault, Outcome, fail};
+use crate::vocabulary::rule_ids::*;
+use crate::vocabulary::{AlarmName, Setup};
+
+/// Reads items to the end of the block.
+pub fn items(cursor: &mut Cursor, setup: &Setup) -> Outcome<Vec<Item>> {
+    let mut items: Vec<Item> = Vec::new();
+    loop {
+        cursor.skip_blanks()?;
+        if cursor.peek().is_none() {
+            return Ok(items);
+        }
+        let start = cursor.mark();
+        let kind = item(cursor, setup).map_err(|fault| {
+            let span = cursor.span_from(start);
+            fault.at(span.start..span.end.max(span.start + 1))
+        })?;
+        if kind == ItemKind::MajorArc && items.iter().any(|item| item.kind == ItemKind::MajorArc) {
+            return Err(Fault::new(AlarmName::DuplicateAddress, FMT_06).at(cursor.span_from(start)));
+        }
+        items.push(Item { kind, span: cursor.span_from(start) });
+    }
+}
+
+fn item(cursor: &mut Cursor, setup: &Setup) -> Outcome<ItemKind> {
+    match cursor.peek() {
+        Some(b'/') => fail(AlarmName::SlashMisplaced, DEL_02),
+        Some(b'V') => assignment(cursor, setup),
+        Some(b'A'..=b'Z') if cursor.look(1).is_some_and(|next| next.is_ascii_uppercase()) => {
+            named(cursor, setup)
+        }
+        Some(letter @ b'A'..=b'Z') => {
+            if !LETTERS.contains(&letter) {
+                return Err(no_address(letter));
+            }
+            cursor.advance(1);
+            word(cursor, Address::Letter(letter), setup)
+        }
+        _ => Err(cursor.unexpected()),
+    }
+}
+
+/// Letters that begin no word here.
+fn no_address(letter: u8) -> Fault {
+    match letter {
+        b'N' => Fault::about(AlarmName::NotModelled, SEQ_01, "N"),
+        b'O' => Fault::new(AlarmName::ProgramNameNotAlone, NAME_03),
+        _ => Fault::new(AlarmName::AddressUnknown, ADDR_01),
+    }
+}
+
+/// An item that begins with two letters.
+fn named(cursor: &mut Cursor, setup: &Setup) -> Outcome<ItemKind> {
+    let run = cursor.run();
+    let name = run.as_str();
+    cursor.advance(name.len());
+    if name == "CALRG" {
+        return Ok(ItemKind::MajorArc);
+    }
+    if let Some(address) = EXTENDED.iter().find(|address| **address == name) {
+        return word(cursor, Address::Extended(address), setup);
+    }
+    if EXTENDED_LATER.contains(&name) {
+        return Err(Fault::about(AlarmName::NotModelled, FMT_03, name));
+    }
+    if STATEMENTS.contains(&name) {
+        return fail(AlarmName::StatementMisplaced, GCODE_03);
+    }
+    if name == "NOT" || OPERATOR_WORDS.contains(&name) || Function::of_name(name).is_some() {
+        return fail(AlarmName::Format, FMT_01);
+    }
+    match name.as_bytes().first() {
+        Some(letter @ (b'N' | b'O')) => Err(no_address(*letter)),
+        _ => Err(local_variable(name)),
+    }
+}
+
+/// Local variables are not modelled yet.
+pub fn local_variable(name: &str) -> Fault {
+    Fault::about(AlarmName::NotModelled, AEXP_01, name.get(..8).unwrap_or(name))
+}
+
+/// E100L-FMT-01, E100L-FMT-02, E100L-FMT-03: the value of a word.
+fn word(cursor: &mut Cursor, address: Address, setup: &Setup) -> Outcome<ItemKind> {
+    cursor.skip_ignored();
+    let value = if cursor.take(b'=') {
+        value_after_equal_sign(cursor, address, setup)?
+    } else {
+        match (address, cursor.peek()) {
+            (Address::Extended(_), _) => return fail(AlarmName::EqualSignMissing, FMT_03),
+            (_, Some(b'[' | b'$')) => return fail(AlarmName::EqualSignMissing, FMT_02),
+            _ => Value::Number(plain_number(cursor, address)?),
+        }
+    };
+    if let Address::Letter(letter @ (b'P' | b'Q')) = address {
+        return Err(Fault::about(AlarmName::NotModelled, ADDR_01, &char::from(letter).to_string()));
+    }
+    Ok(ItemKind::Word(address, value))
+}
+
+fn plain_number(cursor: &mut Cursor, address: Address) -> Outcome<super::tree::Decimal> {
+    let signed = matches!(cursor.peek(), Some(b'+' | b'-'));
+    let written = number::plain(cursor)?;
+    let count = written.count;
+    let number = written.checked(address == Address::Letter(b'F'))?;
+    if address == Address::Letter(b'G') && (count > 3 || number.point || signed) {
+        return fail(AlarmName::NumberMalformed, GCODE_01);
+    }
+    Ok(number)
+}
+
+/// After `=`: a plain number, or an expression. A number that an operator follows begins an expression.
+fn value_after_equal_sign(cursor: &mut Cursor, address: Address, setup: &Setup) -> Outcome<Value> {
+    let start = cursor.mark();
+    cursor.skip_ignored();
+    let number_begins = cursor.mark();
+    if matches!(cursor.peek(), Some(b'+' | b'-')) {
+        cursor.advance(1);
+        cursor.skip_ignored();
+    }
+    let is_number = matches!(cursor.peek(), Some(b'0'..=b'9' | b'.'));
+    cursor.rewind(number_begins);
+    if is_number {
+        number::plain(cursor)?;
+        if !operator_follows(cursor)? {
+            cursor.rewind(number_begins);
+            return plain_number(cursor, address).map(Value::Number);
+        }
+    }
+    cursor.rewind(start);
+    expression::expression(cursor, setup).map(Value::Expression)
+}
+
+fn operator_follows(cursor: &mut Cursor) -> Outcome<bool> {
+    cursor.skip_blanks()?;
+    let sign = matches!(cursor.peek(), Some(b'+' | b'-' | b'*' | b'/'));
+    Ok(sign || BinaryOperator::of_word(&cursor.run()).is_some())
+}
+
+/// E100L-AEXP-01: a variable, `=` and an expression.
+fn assignment(cursor: &mut Cursor, setup: &Setup) -> Outcome<ItemKind> {
+    let target = variable(cursor, setup)?;
+    cursor.skip_blanks()?;
+    if !cursor.take(b'=') {
+        return fail(AlarmName::EqualSignMissing, FMT_02);
+    }
+    if let Variable::System(SystemVariable { rule: None, .. }, _) = target {
+        return fail(AlarmName::VariableReadOnly, SVTAB_01);
+    }
+    let value = expression::expression(cursor, setup)?;
+    Ok(ItemKind::Assignment(target, value))
+}
+
+/// E100L-CVAR-01, E100L-SVAR-01: a common or a system variable, at its `V`.
+pub fn variable(cursor: &mut Cursor, setup: &Setup) -> Outcome<Variable> {
+    let run = cursor.run();
+    cursor.advance(run.len());
+    let name = run.get(1..).unwrap_or_default();
+    if name.bytes().next().is_some_and(|first| first.is_ascii_digit()) {
+        return common_variable(name);
+    }
+    let Some(system) = system_variables::MODELLED.iter().find(|each| each.name == run) else {
+        let later = system_variables::LATER.contains(&run.as_str());
+        return Err(if later {
+            Fault::about(AlarmName::NotModelled, SVTAB_01, &run)
+        } else {
+            Fault::new(AlarmName::SystemVariableUnknown, SVAR_01)
+        });
+    };
+    if system.needs_w() && !setup.options.w_axis {
+        return Err(Fault::about(AlarmName::NotModelled, SVTAB_01, &run));
+    }
+    let suffix = suffix(cursor, setup, system.suffix(setup.options.offset_sets).is_some())?;
+    Ok(Variable::System(system, suffix))
+}
+
+fn common_variable(digits: &str) -> Outcome<Variable> {
+    if !digits.bytes().all(|digit| digit.is_ascii_digit()) {
+        return fail(AlarmName::SystemVariableUnknown, SVAR_01);
+    }
+    match digits.parse::<u8>() {
+        Ok(number) if digits.len() <= 3 && (1..=200).contains(&number) => Ok(Variable::Common(number)),
+        _ => fail(AlarmName::VariableNumber, CVAR_01),
+    }
+}
+
+fn suffix(cursor: &mut Cursor, setup: &Setup, wanted: bool) -> Outcome<Option<Expression>> {
+    let end = cursor.mark();
+    cursor.skip_blanks()?;
+    if (cursor.peek() == Some(b'[')) != wanted {
+        return fail(AlarmName::VariableSuffix, SVTAB_01);
+    }
+    if !wanted {
+        cursor.rewind(end);
+        return Ok(None);
+    }
+    cursor.advance(1);
+    let number = expression::expression(cursor, setup)?;
+    cursor.skip_blanks()?;
+    if cursor.take(b']') { Ok(Some(number)) } else { fail(AlarmName::BracketUnbalanced, AEXP_04) }
+}
+
+/// E100L-MATH-06, E100L-AEXP-03: an operator word of this length here has a blank on both sides.
+pub fn has_blanks(cursor: &Cursor, length: usize, prefix: bool) -> bool {
+    let before = cursor.before();
+    let opened = prefix && matches!(before, Some(b'[' | b',' | b'='));
+    (opened || before.is_some() && is_blank(before)) && is_blank(cursor.look(length))
+}

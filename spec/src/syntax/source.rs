@@ -1,0 +1,177 @@
+//! Bytes to lines of characters: the code of the tape, continuation lines, the file header.
+
+use crate::controls::e100l::tape_codes;
+use crate::fault::{Fault, Outcome};
+use crate::vocabulary::rule_ids::*;
+use crate::vocabulary::{AlarmName, Place, TapeCode};
+
+/// E100L-FMT-05: characters of a block, without end of block and carriage return.
+const BLOCK_LENGTH: usize = 158;
+
+/// A character of the program and where it stands.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Character {
+    /// Its seven-bit code.
+    pub code: u8,
+    /// Offset of its byte.
+    pub offset: u32,
+    /// Whether its byte breaks the parity, or is no character of the code.
+    pub faulty: bool,
+}
+
+/// The text of one block: a line and its continuations.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Line {
+    /// Its characters; a continuation mark reads as a blank.
+    pub characters: Vec<Character>,
+    /// Line number and byte span.
+    pub place: Place,
+}
+
+/// Cuts a program text into the texts of its blocks.
+pub struct Source<'a> {
+    bytes: &'a [u8],
+    code: TapeCode,
+    position: usize,
+    line: u32,
+}
+
+impl<'a> Source<'a> {
+    /// The source of a program text.
+    pub fn new(bytes: &'a [u8], code: TapeCode) -> Self {
+        Self { bytes, code, position: 0, line: 1 }
+    }
+
+    /// The next block's text, its continuation lines joined (E100L-AEXP-12); lines of `%` alone are no blocks (E100L-TAPE-04). At the end `None`.
+    ///
+    /// # Errors
+    /// A malformed file header.
+    pub fn next_line(&mut self) -> Outcome<Option<Line>> {
+        if self.position == 0 && self.at_dollar() {
+            let header = self.physical_line();
+            read_header(&header).map_err(|fault| fault.of_block(header.place))?;
+        }
+        loop {
+            if self.position >= self.bytes.len() {
+                return Ok(None);
+            }
+            let mut line = self.physical_line();
+            if is_tape_mark(&line) {
+                continue;
+            }
+            while self.at_dollar() {
+                let continuation = self.physical_line();
+                line.place.end = continuation.place.end;
+                let mut characters = continuation.characters;
+                if let Some(mark) = characters.first_mut() {
+                    mark.code = b' ';
+                }
+                line.characters.append(&mut characters);
+            }
+            return Ok(Some(line));
+        }
+    }
+
+    /// The place behind the last block.
+    pub fn end(&self) -> Place {
+        let length = offset(self.bytes.len());
+        let line = if self.bytes.last().is_some_and(|last| self.character(*last) == Some(b'\n'))
+            || self.bytes.is_empty()
+        {
+            self.line
+        } else {
+            self.line - 1
+        };
+        Place { line, start: length, end: length, ..Place::default() }
+    }
+
+    fn character(&self, byte: u8) -> Option<u8> {
+        match self.code {
+            TapeCode::Ascii => Some(byte),
+            TapeCode::Iso => Some(tape_codes::from_iso(byte)),
+            TapeCode::Eia => tape_codes::from_eia(byte),
+        }
+    }
+
+    fn at_dollar(&self) -> bool {
+        self.bytes.get(self.position).is_some_and(|byte| self.character(*byte) == Some(b'$'))
+    }
+
+    /// Takes one physical line with its end of block (E100L-FMT-04).
+    fn physical_line(&mut self) -> Line {
+        let start = offset(self.position);
+        let mut characters = Vec::new();
+        let mut end = start;
+        while let Some(&byte) = self.bytes.get(self.position) {
+            let code = self.character(byte);
+            let faulty = match self.code {
+                TapeCode::Ascii => false,
+                TapeCode::Iso => !tape_codes::iso_parity_holds(byte),
+                TapeCode::Eia => code.is_none(),
+            };
+            let character = Character { code: code.unwrap_or(0), offset: offset(self.position), faulty };
+            self.position += 1;
+            if character.code == b'\n' {
+                if faulty {
+                    characters.push(Character { code: b'\r', ..character });
+                }
+                break;
+            }
+            end = offset(self.position);
+            characters.push(character);
+        }
+        let place = Place { line: self.line, start, end, ..Place::default() };
+        self.line += 1;
+        Line { characters, place }
+    }
+}
+
+impl Line {
+    /// Length and parity (E100L-FMT-05, E100L-CMT-02).
+    ///
+    /// # Errors
+    /// The block is too long, or a byte has wrong parity.
+    pub fn check(&self) -> Outcome<()> {
+        let counted = self.characters.iter().filter(|character| character.code != b'\r').count();
+        if counted > BLOCK_LENGTH {
+            return Err(Fault::new(AlarmName::BlockTooLong, FMT_05));
+        }
+        match self.characters.iter().find(|character| character.faulty) {
+            Some(bad) => Err(Fault::new(AlarmName::ParityError, CMT_02).at(bad.offset..bad.offset + 1)),
+            None => Ok(()),
+        }
+    }
+}
+
+/// E100L-FMT-07, E100L-TAPE-02: space, CR, DEL and BS.
+pub(super) fn is_ignored(code: u8) -> bool {
+    matches!(code, b' ' | b'\r' | 0x7F | 0x08)
+}
+
+fn offset(position: usize) -> u32 {
+    u32::try_from(position).unwrap_or(u32::MAX)
+}
+
+fn is_tape_mark(line: &Line) -> bool {
+    let mut rest = line.characters.iter().filter(|character| character.faulty || !is_ignored(character.code));
+    rest.next().is_some_and(|mark| mark.code == b'%' && !mark.faulty) && rest.next().is_none()
+}
+
+/// E100L-TAPE-04, E100L-PROG-05: `$`, file name, `.`, extension, `%`.
+fn read_header(header: &Line) -> Outcome<()> {
+    let mut text: Vec<u8> = header.characters.iter().map(|character| character.code).collect();
+    while text.last().is_some_and(|last| is_ignored(*last)) {
+        text.pop();
+    }
+    if text.pop() != Some(b'%') {
+        return Err(Fault::new(AlarmName::HeaderMalformed, PROG_05));
+    }
+    let extension = text.rsplit(|code| *code == b'.').next().unwrap_or_default();
+    // E100L-PROG-01: schedule programs and subprograms.
+    match std::str::from_utf8(extension) {
+        Ok(kind @ ("SDF" | "SUB" | "SSB")) if text.contains(&b'.') => {
+            Err(Fault::about(AlarmName::NotModelled, PROG_01, kind))
+        }
+        _ => Ok(()),
+    }
+}

@@ -1,0 +1,196 @@
+//! The syntax tree of a block.
+
+use std::ops::Range;
+
+use crate::controls::e100l::system_variables::SystemVariable;
+use crate::vocabulary::Label;
+
+/// A block as it is written.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Block {
+    /// Sequence name with its `N`, empty if there is none.
+    pub sequence: Label,
+    /// What it holds.
+    pub body: Body,
+}
+
+/// What a block holds.
+#[derive(Clone, PartialEq, Debug)]
+pub enum Body {
+    /// Nothing but blanks and comments: it is no block.
+    Empty,
+    /// A program name with its `O`.
+    ProgramName(Label),
+    /// It carries a block delete mark and the switch is on.
+    Skipped,
+    /// Words, assignments and mnemonics; none in a block of a sequence name alone.
+    Items(Vec<Item>),
+}
+
+/// One item of a block.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Item {
+    /// What it is.
+    pub kind: ItemKind,
+    /// Byte span.
+    pub span: Range<u32>,
+}
+
+/// The kinds of items.
+#[derive(Clone, PartialEq, Debug)]
+pub enum ItemKind {
+    /// A word (E100L-FMT-01).
+    Word(Address, Value),
+    /// A variable setting (E100L-AEXP-01).
+    Assignment(Variable, Expression),
+    /// The mnemonic CALRG (E100L-CIRC-18).
+    MajorArc,
+}
+
+/// The address of a word.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+pub enum Address {
+    /// One letter.
+    Letter(u8),
+    /// Two letters (E100L-FMT-03).
+    Extended(&'static str),
+}
+
+impl Address {
+    /// The address as text.
+    pub fn label(self) -> Label {
+        match self {
+            Self::Letter(letter) => Label::from_bytes(&[letter]),
+            Self::Extended(name) => Label::new(name),
+        }
+    }
+}
+
+/// The value of a word.
+#[derive(Clone, PartialEq, Debug)]
+pub enum Value {
+    /// A plain number.
+    Number(Decimal),
+    /// An expression (E100L-FMT-02).
+    Expression(Expression),
+}
+
+/// A number as it is written.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Decimal {
+    /// The digits as one whole number, with the sign.
+    pub digits: i64,
+    /// How many of them stand behind the point.
+    pub scale: u32,
+    /// Whether there is a point.
+    pub point: bool,
+}
+
+/// An expression (E100L-AEXP-01).
+#[derive(Clone, PartialEq, Debug)]
+pub enum Expression {
+    /// An integer constant (E100L-TYPE-02, E100L-MATH-18).
+    Integer(i32),
+    /// A real constant (E100L-TYPE-03).
+    Real(Decimal),
+    /// A variable.
+    Variable(Box<Variable>),
+    /// A sign in front (E100L-AEXP-06).
+    Sign {
+        /// Whether it is a minus.
+        minus: bool,
+        /// What it stands in front of.
+        operand: Box<Expression>,
+    },
+    /// Bitwise complement (E100L-MATH-05).
+    Not(Box<Expression>),
+    /// Two operands.
+    Binary(BinaryOperator, Box<[Expression; 2]>),
+    /// A function of one argument, or of two.
+    Call(Function, Vec<Expression>),
+}
+
+/// A variable.
+#[derive(Clone, PartialEq, Debug)]
+pub enum Variable {
+    /// `V1` to `V200`, by number (E100L-CVAR-01).
+    Common(u8),
+    /// A system variable with its suffix (E100L-SVAR-01).
+    System(&'static SystemVariable, Option<Expression>),
+}
+
+/// Operators between two operands.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum BinaryOperator {
+    /// `+`
+    Add,
+    /// `-`
+    Subtract,
+    /// `*`
+    Multiply,
+    /// `/`
+    Divide,
+    /// `LT`
+    Less,
+    /// `LE`
+    LessOrEqual,
+    /// `EQ`
+    Equal,
+    /// `NE`
+    NotEqual,
+    /// `GT`
+    Greater,
+    /// `GE`
+    GreaterOrEqual,
+    /// `AND`
+    And,
+    /// `OR`
+    Or,
+    /// `EOR`
+    ExclusiveOr,
+}
+
+impl BinaryOperator {
+    /// The operator of a word.
+    pub fn of_word(word: &str) -> Option<Self> {
+        Some(match word {
+            "LT" => Self::Less,
+            "LE" => Self::LessOrEqual,
+            "EQ" => Self::Equal,
+            "NE" => Self::NotEqual,
+            "GT" => Self::Greater,
+            "GE" => Self::GreaterOrEqual,
+            "AND" => Self::And,
+            "OR" => Self::Or,
+            "EOR" => Self::ExclusiveOr,
+            _ => return None,
+        })
+    }
+}
+
+macro_rules! functions {
+    ($($name:ident $text:literal)*) => {
+        /// Functions (E100L-FUNC-01).
+        #[derive(Clone, Copy, PartialEq, Eq, Debug)]
+        pub enum Function { $(#[doc = $text] $name),* }
+
+        impl Function {
+            /// The function of a name.
+            pub fn of_name(name: &str) -> Option<Self> {
+                match name { $($text => Some(Self::$name),)* _ => None }
+            }
+        }
+    };
+}
+
+functions! {
+    Sin "SIN" Cos "COS" Tan "TAN" Atan "ATAN" Atan2 "ATAN2" Sqrt "SQRT" Abs "ABS" Bin "BIN" Bcd "BCD"
+    Round "ROUND" Fix "FIX" Fup "FUP" UnitRound "DROUND" UnitFix "DFIX" UnitFup "DFUP" Mod "MOD"
+}
+
+impl Function {
+    /// How many arguments it takes.
+    pub fn arity(self) -> usize {
+        if matches!(self, Self::Atan2 | Self::Mod) { 2 } else { 1 }
+    }
+}

@@ -1,0 +1,91 @@
+//! What variables hold besides the frame: common variables, and plain stores.
+
+use crate::controls::e100l::system_variables::Axis;
+use crate::vocabulary::{Length, Setup};
+
+/// The memory of a control.
+#[derive(Clone, Debug)]
+pub struct Memory {
+    common: Vec<f64>,
+    /// Nose radius amounts by number: X and Z, in nanometres.
+    pub nose_radii: Vec<(i64, i64)>,
+    /// Barrier dimensions in the order of the set-up, in nanometres.
+    pub barriers: [i64; 8],
+    /// Permissible droop of X, Z and C, in increments.
+    pub droop: [u16; 3],
+    /// Pitch error compensation by number: X and Z, in nanometres.
+    pub pitch_errors: Vec<(i64, i64)>,
+    /// Pitch of X and Z, in nanometres.
+    pub pitch: (i64, i64),
+}
+
+impl Memory {
+    /// The memory of a set-up: what common variables hold is handed in (E100L-CVAR-03).
+    pub fn new(setup: &Setup) -> Self {
+        let mut common = vec![0.0; 201];
+        for (name, value) in &setup.variables {
+            let number = name.get(1..).and_then(|digits| digits.parse::<usize>().ok());
+            if let Some(slot) = number.and_then(|number| common.get_mut(number)) {
+                *slot = *value + 0.0;
+            }
+        }
+        let mut nose_radii = vec![(0, 0); usize::from(setup.options.offset_sets) + 1];
+        for entry in &setup.nose_radius {
+            if let Some(slot) = nose_radii.get_mut(usize::from(entry.number)) {
+                *slot = (entry.x.0, entry.z.0);
+            }
+        }
+        let b = &setup.barriers;
+        let barriers = [
+            b.chuck_length,
+            b.chuck_diameter,
+            b.chuck_x,
+            b.chuck_z,
+            b.tailstock_length,
+            b.tailstock_diameter,
+            b.centre_diameter,
+            b.workpiece_end,
+        ];
+        Self {
+            common,
+            nose_radii,
+            barriers: barriers.map(|Length(value)| value),
+            droop: [setup.droop.x, setup.droop.z, setup.droop.c],
+            pitch_errors: vec![(0, 0); 121],
+            pitch: (0, 0),
+        }
+    }
+
+    /// E100L-CVAR-02: one set for all programs.
+    pub fn common(&self, number: u8) -> f64 {
+        self.common.get(usize::from(number)).copied().unwrap_or_default()
+    }
+
+    /// Sets a common variable; it holds no negative zero.
+    pub fn set_common(&mut self, number: u8, value: f64) -> f64 {
+        let value = value + 0.0;
+        if let Some(slot) = self.common.get_mut(usize::from(number)) {
+            *slot = value;
+        }
+        value
+    }
+}
+
+/// The member of an X-Z pair.
+pub fn of_pair(pair: (i64, i64), axis: Axis) -> i64 {
+    if axis == Axis::X { pair.0 } else { pair.1 }
+}
+
+/// The member of an X-Z pair, to be set.
+pub fn of_pair_mut(pair: &mut (i64, i64), axis: Axis) -> &mut i64 {
+    if axis == Axis::X { &mut pair.0 } else { &mut pair.1 }
+}
+
+/// Place of an axis among the droops.
+pub fn droop_index(axis: Axis) -> usize {
+    match axis {
+        Axis::X => 0,
+        Axis::Z => 1,
+        Axis::C | Axis::W => 2,
+    }
+}
