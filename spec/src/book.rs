@@ -73,10 +73,12 @@ chapters! {
     "e100l/arcs.md"
     "e100l/chamfers.md"
     "e100l/angles.md"
+    "e100l/torque.md"
     "e100l/preparatory.md"
     "e100l/spindle.md"
     "e100l/tools.md"
     "e100l/miscellaneous.md"
+    "e100l/c-axis.md"
 }
 
 /// Every rule of the OSP-E100L, in the order of the book.

@@ -1,4 +1,4 @@
-//! Everything of a block but its motion, in order (E100L-FMT-09): modes, feed, G50, S, T, M, and after the
+//! Everything of a block but its motion, in order (E100L-FMT-09, E100L-CAX-09): modes, feed, G50, S, T, M, and after the
 //! motion the codes that stop or end the program.
 
 use super::check::Plan;

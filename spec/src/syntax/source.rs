@@ -22,8 +22,10 @@ pub struct Character {
 /// The text of one block: a line and its continuations.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Line {
-    /// Its characters; a continuation mark reads as a blank.
+    /// Its characters; a continuation mark reads as a blank. Those of a block that is too long are not kept.
     pub characters: Vec<Character>,
+    /// How many there are, without carriage returns.
+    pub length: usize,
     /// Line number and byte span.
     pub place: Place,
 }
@@ -66,7 +68,10 @@ impl<'a> Source<'a> {
                 if let Some(mark) = characters.first_mut() {
                     mark.code = b' ';
                 }
-                line.characters.append(&mut characters);
+                line.length += continuation.length;
+                if line.length <= BLOCK_LENGTH {
+                    line.characters.append(&mut characters);
+                }
             }
             return Ok(Some(line));
         }
@@ -102,6 +107,7 @@ impl<'a> Source<'a> {
         let start = offset(self.position);
         let mut characters = Vec::new();
         let mut end = start;
+        let mut length = 0;
         while let Some(&byte) = self.bytes.get(self.position) {
             let code = self.character(byte);
             let faulty = match self.code {
@@ -118,11 +124,14 @@ impl<'a> Source<'a> {
                 break;
             }
             end = offset(self.position);
-            characters.push(character);
+            length += usize::from(character.code != b'\r');
+            if length <= BLOCK_LENGTH {
+                characters.push(character);
+            }
         }
         let place = Place { line: self.line, start, end, ..Place::default() };
         self.line += 1;
-        Line { characters, place }
+        Line { characters, length, place }
     }
 }
 
@@ -132,8 +141,7 @@ impl Line {
     /// # Errors
     /// The block is too long, or a byte has wrong parity.
     pub fn check(&self) -> Outcome<()> {
-        let counted = self.characters.iter().filter(|character| character.code != b'\r').count();
-        if counted > BLOCK_LENGTH {
+        if self.length > BLOCK_LENGTH {
             return Err(Fault::new(AlarmName::BlockTooLong, FMT_05));
         }
         match self.characters.iter().find(|character| character.faulty) {
