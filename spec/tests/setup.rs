@@ -16,7 +16,9 @@ fn an_empty_set_up_is_the_default() {
 
 #[test]
 fn values_are_exact_decimals() {
-    let setup = Setup::from_toml("unit_system = '1um'\n[start]\nx = 0.1\nz = '-12.345'\n[parameters]\nchamfering = 'basic'");
+    let setup = Setup::from_toml(
+        "unit_system = '1um'\n[start]\nx = 0.1\nz = '-12.345'\n[parameters]\nchamfering = 'basic'",
+    );
     let setup = setup.unwrap_or_else(|fault| panic!("{fault}"));
     assert_eq!((setup.start.x, setup.start.z), (Length(100_000), Length(-12_345_000)));
     assert_eq!((setup.unit_system, setup.parameters.chamfering), (UnitSystem::Micrometre, Chamfering::Basic));
