@@ -1,6 +1,8 @@
 //! Exhaustive comparisons of what the oracle and the engine know: every G and M code, every address, every
 //! system variable, every character.
 
+#![allow(clippy::panic)]
+
 use turnspec_oracle::vocabulary::{Setup, TapeCode};
 
 /// Runs a program through both and fails on the first difference.

@@ -4,6 +4,7 @@ use crate::controls::e100l::g_codes::GGroup;
 use crate::controls::e100l::m_codes::GROUPS;
 use crate::controls::e100l::system_variables::Axis;
 use crate::frame::{Frame, Limits, TravelLimit};
+use crate::path::Point;
 use crate::task::Memory;
 use crate::vocabulary::{Setup, SpindleState};
 
@@ -36,7 +37,7 @@ pub struct State<'a> {
     /// Where the next block counts from, after a chamfer block.
     pub base: Option<Base>,
     /// The end point of this block, when the block before had an angle alone.
-    pub angle_target: Option<(i64, i64)>,
+    pub angle_target: Option<Point>,
 }
 
 /// The modal G codes, in the order of the groups.
@@ -75,7 +76,7 @@ pub struct SpindleStore {
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Base {
     /// The corner.
-    pub corner: (i64, i64),
+    pub corner: Point,
     /// Whether targets count from it altogether (any-angle form) or only incremental words (basic form).
     pub whole: bool,
 }

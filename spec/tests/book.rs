@@ -1,5 +1,7 @@
 //! The rule table: every rule has its text, its function and its examples, and every example holds.
 
+#![allow(clippy::panic)]
+
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;

@@ -1,5 +1,7 @@
 //! Set-up files: what runs, and what is refused with which words.
 
+#![allow(clippy::panic)]
+
 use turnspec_oracle::vocabulary::{Chamfering, Length, Setup, UnitSystem};
 
 fn refused(text: &str, because: &str) {

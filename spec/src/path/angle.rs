@@ -2,7 +2,7 @@
 //!
 //! An angle fixes a line, not a ray.
 
-use super::plane::Vector;
+use super::plane::{Point, Vector};
 use crate::fault::{Fault, Outcome, fail};
 use crate::quantity::{Exact, narrow, ratio, whole};
 use crate::real::{self, Interval};
@@ -77,7 +77,7 @@ fn no_intersection() -> Fault {
 }
 
 /// E100L-ANG-06: where the line through `start` meets the line through `end`; X as a diameter, and Z.
-pub fn meeting(start: &Vector, first: Inclination, end: &Vector, second: Inclination) -> Outcome<(i64, i64)> {
+pub fn meeting(start: &Vector, first: Inclination, end: &Vector, second: Inclination) -> Outcome<Point> {
     if (second.0 - first.0) % HALF_TURN == 0 {
         return fail(AlarmName::AngleNoIntersection, ANG_06);
     }

@@ -1,7 +1,7 @@
 //! G02 and G03 (E100L-CIRC-01 to -20).
 
 use super::element::{Axes, check_range, coordinate_readings, coordinate_rules, go, with_speed};
-use super::plane::{Vector, latch};
+use super::plane::{Point, Vector, latch};
 use super::target::{self, Origin, origin};
 use crate::emission::Emission;
 use crate::fault::{Fault, Outcome, fail};
@@ -15,8 +15,8 @@ use crate::vocabulary::{Action, AlarmName, ArcOneCoordinate, Length, ReadingSet,
 
 /// An arc before it is carried out: end and centre (X as a diameter, Z).
 struct Arc {
-    end: (i64, i64),
-    centre: (i64, i64),
+    end: Point,
+    centre: Point,
     rules: RuleSet,
     readings: ReadingSet,
 }
@@ -40,8 +40,8 @@ pub fn arc(plan: &Plan, state: &mut State, emissions: &mut Vec<Emission>) -> Out
 
 /// An arc as an element of the path; it ends at its target or not at all (E100L-LIM-01).
 pub fn element(
-    end: (i64, i64),
-    centre: (i64, i64),
+    end: Point,
+    centre: Point,
     sense: Sense,
     axes: Axes,
     plan: &Plan,
@@ -104,13 +104,9 @@ fn by_centre(plan: &Plan, origin: Origin, sense: Sense, state: &State) -> Outcom
     Ok(Arc { end, centre, rules, readings })
 }
 
-fn vector(point: (i64, i64)) -> Vector {
-    Vector::of(point.0, point.1)
-}
-
 /// E100L-CIRC-11: start and end radius differ by no more than the parameter.
-fn radius_matches(start: (i64, i64), end: (i64, i64), centre: (i64, i64), tolerance: Length) -> Outcome<()> {
-    let square = |point| vector(point).minus(&vector(centre)).square();
+fn radius_matches(start: Point, end: Point, centre: Point, tolerance: Length) -> Outcome<()> {
+    let square = |point| Vector::at(point).minus(&Vector::at(centre)).square();
     let (at_start, at_end) = (square(start), square(end));
     let tolerance = whole(tolerance.0);
     // |√a - √b| > t exactly when a + b - t² > 2√(ab).
@@ -126,14 +122,8 @@ fn radius_matches(start: (i64, i64), end: (i64, i64), centre: (i64, i64), tolera
 ///
 /// The plane is turned until the quadrant is the first one and the motion counter-clockwise in it; then z only
 /// falls and x only rises from the start on.
-fn in_quadrant(
-    start: (i64, i64),
-    centre: (i64, i64),
-    x: Option<i64>,
-    z: Option<i64>,
-    sense: Sense,
-) -> Outcome<(i64, i64)> {
-    let from = vector(start).minus(&vector(centre));
+fn in_quadrant(start: Point, centre: Point, x: Option<i64>, z: Option<i64>, sense: Sense) -> Outcome<Point> {
+    let from = Vector::at(start).minus(&Vector::at(centre));
     let square = from.square();
     let counter_clockwise = sense == Sense::CounterClockwise;
     // Signs of the quadrant; on an axis the motion decides: its direction is ±left(from).
@@ -186,7 +176,7 @@ fn by_radius(plan: &Plan, origin: Origin, radius: i64, sense: Sense) -> Outcome<
     if end == start {
         return Err(full_circle());
     }
-    let chord = vector(end).minus(&vector(start));
+    let chord = Vector::at(end).minus(&Vector::at(start));
     let (chord_square, radius_square) = (chord.square(), whole(radius) * whole(radius));
     if chord_square > whole(4) * &radius_square {
         return fail(AlarmName::ArcRadiusTooSmall, CIRC_16);

@@ -4,7 +4,7 @@
 
 use super::arc;
 use super::element::{Axes, check_range, line};
-use super::plane::{Vector, latch};
+use super::plane::{Point, Vector, latch};
 use super::target::{Ahead, Origin, angle_end, line_end, next_block, origin};
 use crate::emission::Emission;
 use crate::fault::{Outcome, fail};
@@ -19,9 +19,9 @@ use crate::vocabulary::{AlarmName, ChamferLeg, Chamfering, ReadingSet, RuleId, R
 /// The two elements of a corner.
 struct Corner {
     /// B; none when the line before it has no length.
-    line_to: Option<(i64, i64)>,
+    line_to: Option<Point>,
     /// What joins the lines, and D; none for a rounding without length.
-    join: Option<(Join, (i64, i64))>,
+    join: Option<(Join, Point)>,
     /// The rule of the form.
     rule: RuleId,
     readings: ReadingSet,
@@ -29,7 +29,7 @@ struct Corner {
 
 enum Join {
     Face,
-    Rounding { centre: (i64, i64), sense: Sense },
+    Rounding { centre: Point, sense: Sense },
 }
 
 /// Moves to the corner of a block and breaks it.
@@ -51,7 +51,7 @@ pub fn chamfer(
     check_range(corner_point.0, corner_point.1, 0)?;
     let rules = RuleSet::of(&[CHAM_12, corner.rule]).union(end.rules).union(base_rules);
     let readings = end.readings.union(base_readings).union(corner.readings);
-    let amounts = |point: (i64, i64)| Amounts { x: point.0, z: point.1, ..Amounts::default() };
+    let amounts = |point: Point| Amounts { x: point.0, z: point.1, ..Amounts::default() };
     if let Some(point) = corner.line_to {
         let event = line(amounts(point), Axes::PLANE, rules, plan, state)?;
         emissions.push(event.readings(readings));
@@ -77,7 +77,7 @@ pub fn chamfer(
 
 /// The basic form (E100L-CHAM-03, E100L-CHAM-04, E100L-CHAM-11): along one axis, then along the other in the
 /// direction of the sign of L.
-fn basic_corner(plan: &Plan, start: (i64, i64), corner: (i64, i64)) -> Outcome<Corner> {
+fn basic_corner(plan: &Plan, start: Point, corner: Point) -> Outcome<Corner> {
     let size = plan.words.get('L').unwrap_or(0);
     let along_x = plan.words.get('X').is_some();
     // Travel in nanometres, of the radius for X; doubled to stay whole.
@@ -99,8 +99,8 @@ fn basic_corner(plan: &Plan, start: (i64, i64), corner: (i64, i64)) -> Outcome<C
         (Join::Face, CHAM_03)
     } else {
         let centre = if along_x { (before.0, before.1 + size) } else { (before.0 + 2 * size, before.1) };
-        let first = Vector::of(corner.0, corner.1).minus(&Vector::of(start.0, start.1));
-        let second = Vector::of(after.0, after.1).minus(&Vector::of(corner.0, corner.1));
+        let first = Vector::at(corner).minus(&Vector::at(start));
+        let second = Vector::at(after).minus(&Vector::at(corner));
         (Join::Rounding { centre, sense: turn(&first, &second) }, CHAM_11)
     };
     Ok(Corner { line_to, join: Some((join, after)), rule, readings: ReadingSet::default() })
@@ -126,19 +126,18 @@ struct Lines {
 fn any_angle_corner(
     plan: &Plan,
     origin: Origin,
-    corner: (i64, i64),
+    corner: Point,
     ahead: &[Ahead],
     state: &State,
 ) -> Outcome<Corner> {
     let size = whole(plan.words.get('L').unwrap_or(0).abs());
     let next_end = next_end(plan, origin, corner, ahead)?;
-    let point = |place: (i64, i64)| Vector::of(place.0, place.1);
     let present = state.frame.program();
     let lines = Lines {
-        first: point(corner).minus(&point(origin.start)),
-        second: point(next_end).minus(&point(corner)),
-        corner: point(corner),
-        left_square: point(corner).minus(&point((present.x, present.z))).square(),
+        first: Vector::at(corner).minus(&Vector::at(origin.start)),
+        second: Vector::at(next_end).minus(&Vector::at(corner)),
+        corner: Vector::at(corner),
+        left_square: Vector::at(corner).minus(&Vector::of(present.x, present.z)).square(),
     };
     if lines.first.is_zero() || lines.second.is_zero() {
         return fail(AlarmName::ChamferAxes, CHAM_08);
@@ -151,7 +150,7 @@ fn any_angle_corner(
 }
 
 /// Where the line of the next block ends.
-fn next_end(plan: &Plan, origin: Origin, corner: (i64, i64), ahead: &[Ahead]) -> Outcome<(i64, i64)> {
+fn next_end(plan: &Plan, origin: Origin, corner: Point, ahead: &[Ahead]) -> Outcome<Point> {
     let (next, place) = next_block(plan, ahead)?;
     let angle_target = plan.is_angle_only().then(|| angle_end(next, origin.incremental));
     let from_corner = Origin { start: corner, incremental: corner };
@@ -176,7 +175,7 @@ impl Lines {
     }
 
     /// The ends of legs on both lines; B is none if the leg takes the whole way.
-    fn legs(&self, leg: &dyn Fn(usize) -> Interval) -> Outcome<(Option<(i64, i64)>, (i64, i64))> {
+    fn legs(&self, leg: &dyn Fn(usize) -> Interval) -> Outcome<(Option<Point>, Point)> {
         let before = Self::excess(leg, &self.left_square);
         if before.is_gt() || Self::excess(leg, &self.second.square()).is_gt() {
             return fail(AlarmName::ChamferTooShort, CHAM_07);
@@ -211,7 +210,7 @@ fn any_angle_chamfer(lines: &Lines, size: &Exact, reading: ChamferLeg) -> Outcom
 }
 
 /// E100L-ANG-04: tangent length t = L tan(φ/2) = L |cross| / (n1 n2 + dot).
-fn any_angle_rounding(lines: &Lines, size: &Exact, corner: (i64, i64)) -> Outcome<Corner> {
+fn any_angle_rounding(lines: &Lines, size: &Exact, corner: Point) -> Outcome<Corner> {
     let readings = ReadingSet::default();
     let (cross, dot) = (lines.first.cross(&lines.second), lines.first.dot(&lines.second));
     if lines.opposite() {
@@ -237,7 +236,7 @@ fn rounding_centre(
     size: &Exact,
     sense: Sense,
     tangent_length: &dyn Fn(usize) -> Interval,
-) -> (i64, i64) {
+) -> Point {
     let side = whole(if sense == Sense::CounterClockwise { 1 } else { -1 });
     let (first, left) = (&lines.first, lines.first.left());
     let length_square = first.square();

@@ -10,6 +10,7 @@ mod target;
 mod torque_skip;
 
 pub use chamfer::chamfer;
+pub use plane::Point;
 pub use straight::straight;
 pub use target::{Ahead, forget_base};
 pub use torque_skip::torque_skip;

@@ -3,6 +3,9 @@
 use crate::quantity::{Exact, ratio, whole};
 use crate::real::{self, Interval};
 
+/// A latched point: X as a diameter, and Z, in nanometres.
+pub type Point = (i64, i64);
+
 /// A point or vector with exact coordinates in nanometres.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Vector {
@@ -21,6 +24,11 @@ impl Vector {
     /// `self - other`.
     pub fn minus(&self, other: &Self) -> Self {
         Self { z: &self.z - &other.z, x: &self.x - &other.x }
+    }
+
+    /// A latched point.
+    pub fn at(point: Point) -> Self {
+        Self::of(point.0, point.1)
     }
 
     /// Scalar product.
@@ -50,7 +58,7 @@ impl Vector {
 }
 
 /// `origin + direction * factor`, latched: X as a diameter, and Z.
-pub fn latch(origin: &Vector, direction: &Vector, factor: impl Fn(usize) -> Interval) -> (i64, i64) {
+pub fn latch(origin: &Vector, direction: &Vector, factor: impl Fn(usize) -> Interval) -> Point {
     let along = |start: &Exact, step: &Exact, scale: u32| {
         let nearest = real::nearest_whole(|precision| {
             let offset = factor(precision).mul(&Interval::of(&(step * whole(scale)), precision));

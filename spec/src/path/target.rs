@@ -2,7 +2,7 @@
 //! angle alone.
 
 use super::angle::{Inclination, meeting, x_at, z_at};
-use super::plane::Vector;
+use super::plane::{Point, Vector};
 use crate::fault::{Fault, Outcome};
 use crate::modal::Plan;
 use crate::state::{Base, State};
@@ -23,7 +23,7 @@ pub enum Ahead {
 #[derive(Clone, Debug)]
 pub struct End {
     /// X and Z.
-    pub point: (i64, i64),
+    pub point: Point,
     /// Rules of the angle and of the base point.
     pub rules: RuleSet,
     /// Readings.
@@ -35,9 +35,9 @@ pub struct End {
 #[derive(Clone, Copy, Debug)]
 pub struct Origin {
     /// Start: X (as a diameter) and Z.
-    pub start: (i64, i64),
+    pub start: Point,
     /// Base of incremental words.
-    pub incremental: (i64, i64),
+    pub incremental: Point,
 }
 
 /// Forgets the base point of a chamfer block before.
@@ -68,12 +68,7 @@ pub fn origin(plan: &Plan, state: &State) -> (Origin, RuleSet, ReadingSet) {
 }
 
 /// Where the line of a block ends. `angle_target`: its end point, when the block before it had an angle alone.
-pub fn line_end(
-    plan: &Plan,
-    origin: Origin,
-    angle_target: Option<(i64, i64)>,
-    ahead: &[Ahead],
-) -> Outcome<End> {
+pub fn line_end(plan: &Plan, origin: Origin, angle_target: Option<Point>, ahead: &[Ahead]) -> Outcome<End> {
     let words = &plan.words;
     let plain = |rules| End { point: (0, 0), rules, readings: ReadingSet::default() };
     if let Some(point) = angle_target {
@@ -88,7 +83,7 @@ pub fn line_end(
         let point = (x.unwrap_or(origin.start.0), z.unwrap_or(origin.start.1));
         return Ok(End { point, ..plain(RuleSet::EMPTY) });
     };
-    let start = Vector::of(origin.start.0, origin.start.1);
+    let start = Vector::at(origin.start);
     let inclination = Inclination(angle);
     let mut rules = RuleSet::of(&[DTAP_03, ANG_01, ANG_02]);
     if incremental {
@@ -112,17 +107,17 @@ fn meeting_point(
     inclination: Inclination,
     origin: Origin,
     ahead: &[Ahead],
-) -> Outcome<(i64, i64)> {
+) -> Outcome<Point> {
     let (next, _) = next_block(plan, ahead)?;
     let second =
         next.words.get('A').filter(|_| next.words.get('X').is_some() && next.words.get('Z').is_some());
     let Some(second) = second else { return Err(lacks_data(plan)) };
     let end = angle_end(next, origin.incremental);
-    meeting(start, inclination, &Vector::of(end.0, end.1), Inclination(second))
+    meeting(start, inclination, &Vector::at(end), Inclination(second))
 }
 
 /// The end point of the block after an angle-only block; incremental words count from the start of that one.
-pub fn angle_end(next: &Plan, base: (i64, i64)) -> (i64, i64) {
+pub fn angle_end(next: &Plan, base: Point) -> Point {
     let base = if next.modes.incremental() { base } else { (0, 0) };
     (base.0 + next.words.get('X').unwrap_or(0), base.1 + next.words.get('Z').unwrap_or(0))
 }

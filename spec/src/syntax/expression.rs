@@ -111,7 +111,7 @@ fn named(cursor: &mut Cursor, setup: &Setup) -> Outcome<Expression> {
         cursor.advance(name.len());
         return call(cursor, setup, function);
     }
-    let one_letter = !name.bytes().nth(1).is_some_and(|second| second.is_ascii_uppercase());
+    let one_letter = !name.as_bytes().get(1).is_some_and(u8::is_ascii_uppercase);
     let reserved = EXTENDED.contains(&name)
         || EXTENDED_LATER.contains(&name)
         || STATEMENTS.contains(&name)

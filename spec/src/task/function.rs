@@ -111,7 +111,7 @@ fn to_bcd(argument: Number) -> Outcome<Number> {
     };
     let mut pattern = 0;
     for shift in 0..8 {
-        pattern |= rest % 10 << (4 * shift);
+        pattern |= (rest % 10) << (4 * shift);
         rest /= 10;
     }
     Ok(Number::Integer(pattern.cast_signed()))

@@ -42,5 +42,5 @@ pub fn from_iso(byte: u8) -> u8 {
 
 /// Whether an ISO code has even parity.
 pub fn iso_parity_holds(byte: u8) -> bool {
-    byte.count_ones() % 2 == 0
+    byte.count_ones().is_multiple_of(2)
 }

@@ -3,6 +3,8 @@
 //! Lengths are millimetres (X as a diameter), angles degrees, times seconds, whatever the unit system of
 //! the program.
 
+mod validate;
+
 use std::collections::BTreeMap;
 use std::fmt;
 
@@ -347,137 +349,6 @@ impl Setup {
         })?;
         setup.validate()?;
         Ok(setup)
-    }
-
-    /// Checks the values: ranges, numbers of entries, limits in order.
-    ///
-    /// # Errors
-    /// Names the first field that is impossible.
-    pub fn validate(&self) -> Result<(), SetupError> {
-        let fault = |message: String| Err(SetupError { message, span: None });
-        let within = |value: Length, limit: i64| value.0.unsigned_abs() <= limit.unsigned_abs();
-        let options = &self.options;
-        if ![32, 64, 96].contains(&options.offset_sets) {
-            return fault(format!("options.offset_sets is {}, must be 32, 64 or 96", options.offset_sets));
-        }
-        if ![1, 2].contains(&options.user_task) {
-            return fault(format!("options.user_task is {}, must be 1 or 2", options.user_task));
-        }
-        let parameters = &self.parameters;
-        if !(1..=100).contains(&parameters.torque_limit_upper) {
-            return fault(format!(
-                "parameters.torque_limit_upper is {}, must be 1 to 100",
-                parameters.torque_limit_upper
-            ));
-        }
-        if parameters.torque_monitor_delay > 9999 {
-            return fault(format!(
-                "parameters.torque_monitor_delay is {}, must be 0 to 9999",
-                parameters.torque_monitor_delay
-            ));
-        }
-        if !(0..=1_000_000).contains(&parameters.circular_radius_tolerance.0) {
-            return fault(format!(
-                "parameters.circular_radius_tolerance is {}, must be 0 to 1",
-                parameters.circular_radius_tolerance
-            ));
-        }
-        for (name, amounts) in [("start", &self.start), ("zero_offset", &self.zero_offset)] {
-            let lengths = [("x", amounts.x), ("z", amounts.z), ("w", amounts.w), ("c", Length(amounts.c.0))];
-            for (axis, amount) in lengths {
-                if !within(amount, Self::COORDINATE) {
-                    return fault(format!("{name}.{axis} is {amount}, must be within 99999.999"));
-                }
-                if amount.0 % 1000 != 0 {
-                    return fault(format!("{name}.{axis} is {amount}, finer than 0.001"));
-                }
-            }
-        }
-        let tables = self.tool_offset.iter().map(|each| ("tool_offset", each.number, each.x, each.z));
-        let tables =
-            tables.chain(self.nose_radius.iter().map(|each| ("nose_radius", each.number, each.x, each.z)));
-        let mut seen = std::collections::BTreeSet::new();
-        for (name, number, x, z) in tables {
-            if !(1..=options.offset_sets).contains(&number) {
-                return fault(format!("{name} number {number} is outside 1 to {}", options.offset_sets));
-            }
-            if !seen.insert((name, number)) {
-                return fault(format!("{name} number {number} appears twice"));
-            }
-            for (axis, amount) in [("x", x), ("z", z)] {
-                if !within(amount, 999_999_000) || amount.0 % 1000 != 0 {
-                    return fault(format!(
-                        "{name} number {number}: {axis} is {amount}, must be within 999.999 in steps of 0.001"
-                    ));
-                }
-            }
-        }
-        for (axis, limit) in [("x", self.limits.x), ("z", self.limits.z), ("w", self.limits.w)] {
-            for value in [limit.positive, limit.negative].into_iter().flatten() {
-                if !within(value, Self::COORDINATE) || value.0 % 1000 != 0 {
-                    return fault(format!(
-                        "limits.{axis}: {value} must be within 99999.999 in steps of 0.001"
-                    ));
-                }
-            }
-            if let (Some(positive), Some(negative)) = (limit.positive, limit.negative)
-                && positive < negative
-            {
-                return fault(format!(
-                    "limits.{axis}: the positive limit {positive} lies below the negative limit {negative}"
-                ));
-            }
-        }
-        let b = &self.barriers;
-        let sizes =
-            [b.chuck_length, b.chuck_diameter, b.tailstock_length, b.tailstock_diameter, b.centre_diameter];
-        if sizes.iter().any(|size| !(0..=9_999_999_000).contains(&size.0) || size.0 % 1000 != 0)
-            || [b.chuck_x, b.chuck_z, b.workpiece_end]
-                .iter()
-                .any(|place| !within(*place, 9_999_999_000) || place.0 % 1000 != 0)
-        {
-            return fault(
-                "barriers: sizes must be 0 to 9999.999, positions within 9999.999, in steps of 0.001"
-                    .to_owned(),
-            );
-        }
-        let droop_limit = if self.unit_system.is_inch() { 10_000 } else { 1000 };
-        if [self.droop.x, self.droop.z, self.droop.c].iter().any(|droop| *droop > droop_limit) {
-            return fault(format!("droop must be 0 to {droop_limit}"));
-        }
-        let ranges = self.spindle.gear.iter().map(|gear| (gear.minimum, gear.maximum));
-        for (minimum, maximum) in ranges.chain([(self.spindle.minimum, self.spindle.maximum)]) {
-            if minimum.0 < 0 || maximum.0 > 65_535_000 || minimum > maximum {
-                return fault(format!(
-                    "spindle: the range {minimum} to {maximum} must be in order within 0 to 65535"
-                ));
-            }
-        }
-        let mut gears = std::collections::BTreeSet::new();
-        for gear in &self.spindle.gear {
-            if !(40..=44).contains(&gear.code) || !gears.insert(gear.code) {
-                return fault(format!("spindle.gear code {} must be one of 40 to 44, each once", gear.code));
-            }
-        }
-        if !(0..=600_000_000).contains(&self.stm.limit.0) || self.stm.limit.0 % 100_000 != 0 {
-            return fault(format!("stm.limit is {}, must be 0 to 600 in steps of 0.1", self.stm.limit));
-        }
-        if [self.stm.s, self.stm.t, self.stm.m].iter().any(|time| time.0 < 0) {
-            return fault("stm: a time is negative".to_owned());
-        }
-        if self.inputs.torque_stops.iter().any(|stop| !within(*stop, 2 * Self::COORDINATE)) {
-            return fault("inputs.torque_stops: a coordinate is out of range".to_owned());
-        }
-        for (name, value) in &self.variables {
-            let number = name.strip_prefix('V').and_then(|digits| digits.parse::<u8>().ok());
-            if number.is_none_or(|number| !(1..=200).contains(&number) || *name != format!("V{number}")) {
-                return fault(format!("variables: {name:?} is not one of V1 to V200"));
-            }
-            if !value.is_finite() {
-                return fault(format!("variables: {name} is not finite"));
-            }
-        }
-        Ok(())
     }
 
     /// Largest coordinate, 99999.999 mm, in nanometres.

@@ -1,0 +1,165 @@
+//! What a set-up may say: ranges, numbers of entries, limits in order.
+
+use std::collections::BTreeSet;
+
+use super::{AxisAmounts, Barriers, Setup, SetupError, SpindleSetup, StmCheck};
+use crate::vocabulary::Length;
+
+type Checked = Result<(), SetupError>;
+
+impl Setup {
+    /// Checks the values: ranges, numbers of entries, limits in order.
+    ///
+    /// # Errors
+    /// Names the first field that is impossible.
+    pub fn validate(&self) -> Checked {
+        self.options()?;
+        self.parameters()?;
+        amounts("start", &self.start)?;
+        amounts("zero_offset", &self.zero_offset)?;
+        let offsets = self.tool_offset.iter().map(|each| (each.number, each.x, each.z));
+        entries("tool_offset", self.options.offset_sets, offsets)?;
+        let radii = self.nose_radius.iter().map(|each| (each.number, each.x, each.z));
+        entries("nose_radius", self.options.offset_sets, radii)?;
+        self.limits()?;
+        barriers(&self.barriers)?;
+        self.droop()?;
+        spindle(&self.spindle)?;
+        stm(&self.stm)?;
+        let stops = &self.inputs.torque_stops;
+        if stops.iter().any(|stop| !within(*stop, 2 * Self::COORDINATE)) {
+            return fault("inputs.torque_stops: a coordinate is out of range");
+        }
+        self.variables()
+    }
+
+    fn options(&self) -> Checked {
+        let options = &self.options;
+        require([32, 64, 96].contains(&options.offset_sets), || {
+            format!("options.offset_sets is {}, must be 32, 64 or 96", options.offset_sets)
+        })?;
+        require([1, 2].contains(&options.user_task), || {
+            format!("options.user_task is {}, must be 1 or 2", options.user_task)
+        })
+    }
+
+    fn parameters(&self) -> Checked {
+        let parameters = &self.parameters;
+        require((1..=100).contains(&parameters.torque_limit_upper), || {
+            format!("parameters.torque_limit_upper is {}, must be 1 to 100", parameters.torque_limit_upper)
+        })?;
+        require(parameters.torque_monitor_delay <= 9999, || {
+            format!("parameters.torque_monitor_delay is {}, must be 0 to 9999", parameters.torque_monitor_delay)
+        })?;
+        let tolerance = parameters.circular_radius_tolerance;
+        require((0..=1_000_000).contains(&tolerance.0), || {
+            format!("parameters.circular_radius_tolerance is {tolerance}, must be 0 to 1")
+        })
+    }
+
+    fn limits(&self) -> Checked {
+        for (axis, limit) in [("x", self.limits.x), ("z", self.limits.z), ("w", self.limits.w)] {
+            for value in [limit.positive, limit.negative].into_iter().flatten() {
+                require(within(value, Self::COORDINATE) && in_steps(value), || {
+                    format!("limits.{axis}: {value} must be within 99999.999 in steps of 0.001")
+                })?;
+            }
+            if let (Some(positive), Some(negative)) = (limit.positive, limit.negative) {
+                require(negative <= positive, || {
+                    format!("limits.{axis}: the positive limit {positive} lies below the negative limit {negative}")
+                })?;
+            }
+        }
+        Ok(())
+    }
+
+    fn droop(&self) -> Checked {
+        let largest = if self.unit_system.is_inch() { 10_000 } else { 1000 };
+        let droops = [self.droop.x, self.droop.z, self.droop.c];
+        require(droops.iter().all(|droop| *droop <= largest), || format!("droop must be 0 to {largest}"))
+    }
+
+    fn variables(&self) -> Checked {
+        for (name, value) in &self.variables {
+            let number = name.strip_prefix('V').and_then(|digits| digits.parse::<u8>().ok());
+            let known = number.is_some_and(|number| (1..=200).contains(&number) && *name == format!("V{number}"));
+            require(known, || format!("variables: {name:?} is not one of V1 to V200"))?;
+            require(value.is_finite(), || format!("variables: {name} is not finite"))?;
+        }
+        Ok(())
+    }
+}
+
+fn fault<T>(message: impl Into<String>) -> Result<T, SetupError> {
+    Err(SetupError { message: message.into(), span: None })
+}
+
+fn require(holds: bool, message: impl Fn() -> String) -> Checked {
+    if holds { Ok(()) } else { fault(message()) }
+}
+
+fn within(value: Length, limit: i64) -> bool {
+    value.0.unsigned_abs() <= limit.unsigned_abs()
+}
+
+fn in_steps(value: Length) -> bool {
+    value.0 % 1000 == 0
+}
+
+fn amounts(name: &str, amounts: &AxisAmounts) -> Checked {
+    let axes = [("x", amounts.x), ("z", amounts.z), ("w", amounts.w), ("c", Length(amounts.c.0))];
+    for (axis, amount) in axes {
+        require(within(amount, Setup::COORDINATE), || {
+            format!("{name}.{axis} is {amount}, must be within 99999.999")
+        })?;
+        require(in_steps(amount), || format!("{name}.{axis} is {amount}, finer than 0.001"))?;
+    }
+    Ok(())
+}
+
+fn entries(name: &str, sets: u8, table: impl Iterator<Item = (u8, Length, Length)>) -> Checked {
+    let mut seen = BTreeSet::new();
+    for (number, x, z) in table {
+        require((1..=sets).contains(&number), || format!("{name} number {number} is outside 1 to {sets}"))?;
+        require(seen.insert(number), || format!("{name} number {number} appears twice"))?;
+        for (axis, amount) in [("x", x), ("z", z)] {
+            require(within(amount, 999_999_000) && in_steps(amount), || {
+                format!("{name} number {number}: {axis} is {amount}, must be within 999.999 in steps of 0.001")
+            })?;
+        }
+    }
+    Ok(())
+}
+
+fn barriers(barriers: &Barriers) -> Checked {
+    let b = barriers;
+    let sizes = [b.chuck_length, b.chuck_diameter, b.tailstock_length, b.tailstock_diameter, b.centre_diameter];
+    let places = [b.chuck_x, b.chuck_z, b.workpiece_end];
+    let fits = |value: &Length| within(*value, 9_999_999_000) && in_steps(*value);
+    require(sizes.iter().all(|size| size.0 >= 0 && fits(size)) && places.iter().all(fits), || {
+        "barriers: sizes must be 0 to 9999.999, positions within 9999.999, in steps of 0.001".to_owned()
+    })
+}
+
+fn spindle(spindle: &SpindleSetup) -> Checked {
+    let ranges = spindle.gear.iter().map(|gear| (gear.minimum, gear.maximum));
+    for (minimum, maximum) in ranges.chain([(spindle.minimum, spindle.maximum)]) {
+        require(minimum.0 >= 0 && maximum.0 <= 65_535_000 && minimum <= maximum, || {
+            format!("spindle: the range {minimum} to {maximum} must be in order within 0 to 65535")
+        })?;
+    }
+    let mut seen = BTreeSet::new();
+    for gear in &spindle.gear {
+        require((40..=44).contains(&gear.code) && seen.insert(gear.code), || {
+            format!("spindle.gear code {} must be one of 40 to 44, each once", gear.code)
+        })?;
+    }
+    Ok(())
+}
+
+fn stm(stm: &StmCheck) -> Checked {
+    require((0..=600_000_000).contains(&stm.limit.0) && stm.limit.0 % 100_000 == 0, || {
+        format!("stm.limit is {}, must be 0 to 600 in steps of 0.1", stm.limit)
+    })?;
+    require([stm.s, stm.t, stm.m].iter().all(|time| time.0 >= 0), || "stm: a time is negative".to_owned())
+}
