@@ -1,0 +1,171 @@
+//! How many blocks and megabytes a second: the engine, the oracle, and for scale a copy of the text, a
+//! search for its line ends, and LinuxCNC's `rs274` on the same motions when it is installed
+//! (`scripts/install-rs274.sh`).
+//!
+//! `cargo bench --bench throughput` prints a table; a number after `--` is the number of blocks.
+
+use std::error::Error;
+use std::fmt::Write as _;
+use std::fs;
+use std::hint::black_box;
+use std::io::{self, Write as _};
+use std::path::Path;
+use std::process::{Command, Stdio};
+use std::time::{Duration, Instant};
+
+use turnspec_oracle::vocabulary::{Action, Ending, Event, Length, Motion, Setup};
+
+/// Runs of a row; the fastest counts.
+const RUNS: usize = 5;
+/// Blocks of a program for the engine.
+const BLOCKS: usize = 500_000;
+/// The oracle is made to be read, not to be fast: its programs are this many times shorter.
+const ORACLE_SHARE: usize = 25;
+
+/// A program of a known number of blocks.
+struct Workload {
+    name: &'static str,
+    text: Vec<u8>,
+    blocks: usize,
+}
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let argument = std::env::args().skip(1).find_map(|argument| argument.parse().ok());
+    let blocks: usize = argument.unwrap_or(BLOCKS).max(ORACLE_SHARE);
+    let setup = Setup::default();
+    let mut out = io::stdout().lock();
+    writeln!(out, "| program | what | blocks | MB | ms | blocks/s | MB/s |")?;
+    writeln!(out, "|---|---|---:|---:|---:|---:|---:|")?;
+    let programs = workloads(blocks);
+    for (long, short) in programs.iter().zip(&workloads(blocks / ORACLE_SHARE)) {
+        row(&mut out, long, "copy", || copy(&long.text))?;
+        row(&mut out, long, "search for line ends", || line_ends(&long.text))?;
+        row(&mut out, long, "engine", || engine(&long.text, &setup))?;
+        row(&mut out, long, "engine, trace as JSON", || engine_with_json(&long.text, &setup))?;
+        row(&mut out, short, "oracle", || oracle(&short.text, &setup))?;
+    }
+    rs274(&mut out, &setup, &programs[0])
+}
+
+fn workloads(blocks: usize) -> [Workload; 3] {
+    use turnspec_generator::{arcs_and_chamfers, expressions, straight_line};
+    [
+        Workload { name: "straight lines", text: straight_line(blocks), blocks },
+        Workload { name: "arcs and chamfers", text: arcs_and_chamfers(blocks), blocks },
+        Workload { name: "expressions", text: expressions(blocks), blocks },
+    ]
+}
+
+/// Times the fastest of several runs and prints it.
+fn row(
+    out: &mut impl io::Write,
+    load: &Workload,
+    what: &str,
+    mut run: impl FnMut() -> Result<(), Box<dyn Error>>,
+) -> Result<(), Box<dyn Error>> {
+    let mut best = Duration::MAX;
+    for _ in 0..RUNS {
+        let start = Instant::now();
+        run().map_err(|error| format!("{}, {what}: {error}", load.name))?;
+        best = best.min(start.elapsed());
+    }
+    let seconds = best.as_secs_f64();
+    let (name, megabytes) = (load.name, load.text.len() as f64 / 1e6);
+    let (blocks, rate) = (load.blocks, load.blocks as f64 / seconds);
+    let (milliseconds, throughput) = (seconds * 1e3, megabytes / seconds);
+    writeln!(
+        out,
+        "| {name} | {what} | {blocks} | {megabytes:.1} | {milliseconds:.2} | {rate:.0} | {throughput:.1} |"
+    )?;
+    Ok(())
+}
+
+fn copy(text: &[u8]) -> Result<(), Box<dyn Error>> {
+    black_box(black_box(text).to_vec());
+    Ok(())
+}
+
+fn line_ends(text: &[u8]) -> Result<(), Box<dyn Error>> {
+    black_box(memchr::memchr_iter(b'\n', black_box(text)).count());
+    Ok(())
+}
+
+fn engine(text: &[u8], setup: &Setup) -> Result<(), Box<dyn Error>> {
+    ended(turnspec::engine::run(text, setup, &mut |event: &Event| {
+        black_box(event);
+    }))
+}
+
+fn engine_with_json(text: &[u8], setup: &Setup) -> Result<(), Box<dyn Error>> {
+    let mut line = Vec::new();
+    let mut fault = None;
+    let ending = turnspec::engine::run(text, setup, &mut |event: &Event| {
+        line.clear();
+        fault = serde_json::to_writer(&mut line, event).err().or(fault.take());
+        black_box(&line);
+    });
+    fault.map_or_else(|| ended(ending), |error| Err(error.into()))
+}
+
+fn oracle(text: &[u8], setup: &Setup) -> Result<(), Box<dyn Error>> {
+    ended(turnspec_oracle::run(text, setup, &mut |event: &Event| {
+        black_box(event);
+    }))
+}
+
+/// A program that stops half-way would look fast.
+fn ended(ending: Ending) -> Result<(), Box<dyn Error>> {
+    match ending {
+        Ending::End => Ok(()),
+        Ending::Alarm => Err("the program ends in an alarm".into()),
+    }
+}
+
+/// Times `rs274`, process start and output included, on the motions of a program.
+fn rs274(out: &mut impl io::Write, setup: &Setup, program: &Workload) -> Result<(), Box<dyn Error>> {
+    let (text, motions) = rs274_dialect(&program.text, setup)?;
+    let directory = std::env::temp_dir().join(format!("turnspec-rs274-{}", std::process::id()));
+    fs::create_dir_all(&directory)?;
+    fs::write(directory.join("program.ngc"), &text)?;
+    fs::write(directory.join("tools.tbl"), "")?;
+    let load = Workload { name: program.name, text, blocks: motions };
+    let outcome = match run_rs274(&directory) {
+        Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(()),
+        _ => row(out, &load, "rs274", || match run_rs274(&directory)? {
+            true => Ok(()),
+            false => Err("rs274 reports a fault".into()),
+        }),
+    };
+    fs::remove_dir_all(&directory)?;
+    outcome
+}
+
+fn run_rs274(directory: &Path) -> io::Result<bool> {
+    let arguments = ["-t", "tools.tbl", "-v", "parameters.var", "-n", "2", "-g", "program.ngc", "trace.txt"];
+    let mut command = Command::new("rs274");
+    command.args(arguments).current_dir(directory).stdin(Stdio::null());
+    Ok(command.stdout(Stdio::null()).stderr(Stdio::null()).status()?.success())
+}
+
+/// The motions of a program as blocks of LinuxCNC's language: lathe diameter mode, millimetres, plane Z-X.
+fn rs274_dialect(program: &[u8], setup: &Setup) -> Result<(Vec<u8>, usize), Box<dyn Error>> {
+    let mut text = String::from("G7 G18 G21 G40 G80 G90 G94\n");
+    let mut motions = 0;
+    ended(turnspec::engine::run(program, setup, &mut |event: &Event| {
+        let block = match event.action {
+            Action::Rapid { motion } => format!("G0 {}", end_point(&motion)),
+            Action::Linear { motion, feed, .. } => format!("G1 {} F{}", end_point(&motion), feed.value),
+            _ => return,
+        };
+        // Writing to a string cannot fail.
+        let _ = writeln!(text, "{block}");
+        motions += 1;
+    }))?;
+    text.push_str("M2\n");
+    Ok((text.into_bytes(), motions))
+}
+
+fn end_point(motion: &Motion) -> String {
+    let (x, z): (Length, Length) = (motion.program.x, motion.program.z);
+    format!("X{x} Z{z}")
+}

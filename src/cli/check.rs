@@ -1,0 +1,115 @@
+//! `check`: every fault of some programs.
+
+use std::io::{Write, stderr, stdout};
+use std::path::PathBuf;
+
+use serde::Serialize;
+use turnspec_oracle::vocabulary::{Label, Place, RuleSet};
+use turnspec_oracle::{Diagnostic, check};
+
+use super::book::Book;
+use super::input::Program;
+use super::report::Reporter;
+use super::{ColorChoice, Failure, Verdict, exit_status, setup_help};
+
+/// Find the faults of programs: those of each block's grammar, and the alarm of the run.
+///
+/// The text goes to standard error; JSON, an array of faults, goes to standard output.
+#[derive(clap::Args)]
+#[command(after_help = concat!(
+    "Examples:\n  turnspec check shaft.min\n  turnspec check --setup lathe.toml *.min\n  \
+     turnspec check --format json shaft.min | jq '.[].alarm.name'\n\n",
+    setup_help!(), "\n\n", exit_status!()
+))]
+pub struct Arguments {
+    /// The programs; `-` is standard input.
+    #[arg(required = true, value_name = "PROGRAM")]
+    programs: Vec<PathBuf>,
+    /// The set-up file, for all programs.
+    #[arg(long, value_name = "FILE")]
+    setup: Option<PathBuf>,
+    /// How the faults are printed.
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    format: Format,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, Debug, clap::ValueEnum)]
+enum Format {
+    Text,
+    Json,
+}
+
+/// A fault in JSON.
+#[derive(Serialize)]
+struct Fault {
+    file: String,
+    block: Place,
+    span: Span,
+    alarm: Alarm,
+    rules: RuleSet,
+}
+
+#[derive(Serialize)]
+struct Span {
+    start: u32,
+    end: u32,
+}
+
+#[derive(Serialize)]
+struct Alarm {
+    name: &'static str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    number: Option<u16>,
+    text: &'static str,
+    #[serde(skip_serializing_if = "Label::is_empty")]
+    detail: Label,
+}
+
+impl Fault {
+    fn new(file: &str, diagnostic: &Diagnostic) -> Self {
+        let Diagnostic { alarm, rules, block, span } = diagnostic;
+        let alarm = Alarm {
+            name: alarm.name.as_str(),
+            number: alarm.number,
+            text: alarm.name.text(),
+            detail: alarm.detail,
+        };
+        let span = Span { start: span.start, end: span.end };
+        Self { file: file.to_owned(), block: *block, span, alarm, rules: *rules }
+    }
+}
+
+/// Checks the programs, one after the other.
+pub fn carry_out(arguments: &Arguments, color: ColorChoice) -> Result<Verdict, Failure> {
+    let book = Book::open()?;
+    let mut faults = Vec::new();
+    let mut count = 0;
+    for path in &arguments.programs {
+        let program = Program::read(Some(path))?;
+        let setup = program.setup(arguments.setup.as_deref())?;
+        let diagnostics = check(&program.text, &setup);
+        count += diagnostics.len();
+        match arguments.format {
+            Format::Text => {
+                let reporter = Reporter::new(&program, setup.tape.code, &book, color.on_stderr());
+                for Diagnostic { alarm, rules, block, span } in &diagnostics {
+                    reporter.report(alarm, rules, block, span.clone());
+                }
+            }
+            Format::Json => faults.extend(diagnostics.iter().map(|each| Fault::new(&program.name, each))),
+        }
+    }
+    match arguments.format {
+        Format::Json => writeln!(stdout(), "{}", serde_json::to_string_pretty(&faults)?)?,
+        Format::Text if count > 0 => {
+            let _ = writeln!(stderr(), "{}", summary(count, arguments.programs.len()));
+        }
+        Format::Text => {}
+    }
+    Ok(Verdict::fault_if(count > 0))
+}
+
+fn summary(faults: usize, programs: usize) -> String {
+    let plural = |count: usize| if count == 1 { "" } else { "s" };
+    format!("{faults} fault{} in {programs} program{}", plural(faults), plural(programs))
+}
