@@ -1,6 +1,6 @@
 //! Intervals with dyadic ends: arithmetic that always contains the exact result.
 
-use dashu_int::ops::SquareRoot;
+use dashu_int::ops::{DivEuclid, SquareRoot};
 use dashu_int::{IBig, UBig};
 
 use crate::quantity::Exact;
@@ -18,6 +18,11 @@ impl Interval {
     pub fn of(value: &Exact, precision: usize) -> Self {
         let scaled = value * Exact::from(IBig::ONE << precision);
         Self { low: scaled.floor(), high: scaled.ceil(), precision }
+    }
+
+    /// The interval from `low / 2^precision` to the next number of the precision.
+    pub(super) fn between(low: IBig, precision: usize) -> Self {
+        Self { high: &low + 1, low, precision }
     }
 
     /// Lower end.
@@ -91,6 +96,21 @@ impl Interval {
         Self { low: root(&self.low), high: root(&self.high) + 1, precision: self.precision }
     }
 
+    /// Product with a whole number, exact.
+    pub fn times(&self, factor: i64) -> Self {
+        let (one, other) = (&self.low * factor, &self.high * factor);
+        let (low, high) = if factor < 0 { (other, one) } else { (one, other) };
+        Self { low, high, precision: self.precision }
+    }
+
+    /// Quotient by a positive whole number.
+    pub fn over(&self, divisor: u64) -> Self {
+        let divisor = IBig::from(divisor.max(1));
+        let low = (&self.low).div_euclid(&divisor);
+        let high = -(-self.high.clone()).div_euclid(&divisor);
+        Self { low, high, precision: self.precision }
+    }
+
     /// Half-open growth of both ends by `2^-precision * ulps`, for the remainder of a series.
     pub(super) fn widen(&self, ulps: u32) -> Self {
         Self { low: &self.low - ulps, high: &self.high + ulps, precision: self.precision }
@@ -121,6 +141,18 @@ mod tests {
             assert!(contains(&left.sub(&right), &(&x - &y)));
             assert!(contains(&left.mul(&right), &(&x * &y)));
             assert!(contains(&left.div(&right), &(&x / &y)), "{a} {b}");
+        }
+    }
+
+    #[test]
+    fn whole_factors_and_divisors_contain_the_exact_result() {
+        for value in [ratio(7, 11), ratio(-7, 11)] {
+            let interval = Interval::of(&value, 64);
+            for factor in [3, -3, 0] {
+                assert!(contains(&interval.times(factor), &(&value * whole(factor))));
+            }
+            assert!(contains(&interval.over(7), &(&value / whole(7))));
+            assert!(interval.over(7).high() - interval.over(7).low() <= ratio(1, 1 << 62));
         }
     }
 

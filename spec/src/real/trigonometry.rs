@@ -1,9 +1,36 @@
 //! π, and the trigonometric functions of angles in degrees.
 
-use dashu_int::IBig;
+use dashu_int::{IBig, UBig};
 
 use super::Interval;
 use crate::quantity::{Exact, ratio, whole};
+
+/// Bits of π behind the point that are stored.
+const PI_BITS: usize = 64 * (PI_WORDS.len() - 1);
+
+/// π cut off after [`PI_BITS`] bits, its low words first.
+const PI_WORDS: [u64; 20] = [
+    0x718bcd5882154aee,
+    0x0d95748f728eb658,
+    0xa458fea3f4933d7e,
+    0x636920d871574e69,
+    0x0801f2e2858efc16,
+    0x24a19947b3916cf7,
+    0xba7c9045f12c7f99,
+    0xb8e1afed6a267e96,
+    0x2ffd72dbd01adfb7,
+    0xd1310ba698dfb5ac,
+    0x9216d5d98979fb1b,
+    0x3f84d5b5b5470917,
+    0xc0ac29b7c97c50dd,
+    0xbe5466cf34e90c6c,
+    0x452821e638d01377,
+    0x082efa98ec4e6c89,
+    0xa4093822299f31d0,
+    0x13198a2e03707344,
+    0x243f6a8885a308d3,
+    0x0000000000000003,
+];
 
 /// Sum of `Σ (-1)^k x^(first + 2k) / divisor(first + 2k)` until the terms vanish; the rest of an
 /// alternating series is smaller than its first term left out.
@@ -19,9 +46,9 @@ fn alternating_series(
     let mut index = 0;
     while !power.vanishes() {
         let (term, carried) = next_divisor(index);
-        let summand = power.mul(&Interval::of(&ratio(1, term), precision));
+        let summand = power.over(term);
         sum = if index % 2 == 0 { sum.add(&summand) } else { sum.sub(&summand) };
-        power = power.mul(&square).mul(&Interval::of(&ratio(1, carried), precision));
+        power = power.mul(&square).over(carried);
         index += 1;
     }
     sum.widen(2)
@@ -32,11 +59,19 @@ fn small_atan(x: &Interval, precision: usize) -> Interval {
     alternating_series(x, x.clone(), |index| (2 * index + 1, 1), precision)
 }
 
-/// π, by Machin's formula 16 atan(1/5) - 4 atan(1/239).
+/// π: from its stored bits as far as they reach, else computed.
 pub fn pi(precision: usize) -> Interval {
+    if precision > PI_BITS {
+        return machin(precision);
+    }
+    let bits: UBig = PI_WORDS.iter().rev().fold(UBig::ZERO, |bits, word| bits << 64 | UBig::from(*word));
+    Interval::between(IBig::from(bits >> (PI_BITS - precision)), precision)
+}
+
+/// π by Machin's formula 16 atan(1/5) - 4 atan(1/239).
+fn machin(precision: usize) -> Interval {
     let atan_of_inverse = |inverse| small_atan(&Interval::of(&ratio(1, inverse), precision), precision);
-    let scale = |factor: u32, value: &Interval| Interval::of(&whole(factor), precision).mul(value);
-    scale(16, &atan_of_inverse(5)).sub(&scale(4, &atan_of_inverse(239)))
+    atan_of_inverse(5).times(16).sub(&atan_of_inverse(239).times(4))
 }
 
 /// Degrees as radians.
@@ -85,7 +120,7 @@ pub fn tan_degrees(degrees: &Exact, precision: usize) -> Interval {
 
 /// Arc tangent in degrees, in `(-90, 90)`.
 pub fn atan_degrees(value: &Exact, precision: usize) -> Interval {
-    let degrees = |angle: &Interval| angle.mul(&Interval::of(&whole(180), precision)).div(&pi(precision));
+    let degrees = |angle: &Interval| angle.times(180).div(&pi(precision));
     if *value > Exact::ONE || *value < -Exact::ONE {
         let quarter = if *value > Exact::ZERO { whole(90) } else { whole(-90) };
         return Interval::of(&quarter, precision).sub(&atan_degrees(&(Exact::ONE / value), precision));
@@ -94,7 +129,7 @@ pub fn atan_degrees(value: &Exact, precision: usize) -> Interval {
     let one = Interval::of(&Exact::ONE, precision);
     let halve = |x: &Interval| x.div(&one.add(&one.add(&x.mul(x)).sqrt()));
     let quarter_angle = small_atan(&halve(&halve(&Interval::of(value, precision))), precision);
-    degrees(&quarter_angle).mul(&Interval::of(&whole(4), precision))
+    degrees(&quarter_angle).times(4)
 }
 
 /// Argument in degrees, in `(-180, 180]`, of the point with this ordinate and this abscissa, not both zero.
@@ -114,6 +149,12 @@ pub fn atan2_degrees(ordinate: &Exact, abscissa: &Exact, precision: usize) -> In
 mod tests {
     use super::*;
     use crate::real::nearest_real;
+
+    #[test]
+    fn the_stored_bits_are_those_of_pi() {
+        let (stored, computed) = (pi(PI_BITS), machin(PI_BITS + 64));
+        assert!(stored.low() <= computed.low() && computed.high() <= stored.high());
+    }
 
     #[test]
     fn known_values() {

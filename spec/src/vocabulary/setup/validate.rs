@@ -49,7 +49,10 @@ impl Setup {
             format!("parameters.torque_limit_upper is {}, must be 1 to 100", parameters.torque_limit_upper)
         })?;
         require(parameters.torque_monitor_delay <= 9999, || {
-            format!("parameters.torque_monitor_delay is {}, must be 0 to 9999", parameters.torque_monitor_delay)
+            format!(
+                "parameters.torque_monitor_delay is {}, must be 0 to 9999",
+                parameters.torque_monitor_delay
+            )
         })?;
         let tolerance = parameters.circular_radius_tolerance;
         require((0..=1_000_000).contains(&tolerance.0), || {
@@ -66,7 +69,9 @@ impl Setup {
             }
             if let (Some(positive), Some(negative)) = (limit.positive, limit.negative) {
                 require(negative <= positive, || {
-                    format!("limits.{axis}: the positive limit {positive} lies below the negative limit {negative}")
+                    format!(
+                        "limits.{axis}: the positive limit {positive} lies below the negative limit {negative}"
+                    )
                 })?;
             }
         }
@@ -82,7 +87,8 @@ impl Setup {
     fn variables(&self) -> Checked {
         for (name, value) in &self.variables {
             let number = name.strip_prefix('V').and_then(|digits| digits.parse::<u8>().ok());
-            let known = number.is_some_and(|number| (1..=200).contains(&number) && *name == format!("V{number}"));
+            let known =
+                number.is_some_and(|number| (1..=200).contains(&number) && *name == format!("V{number}"));
             require(known, || format!("variables: {name:?} is not one of V1 to V200"))?;
             require(value.is_finite(), || format!("variables: {name} is not finite"))?;
         }
@@ -124,7 +130,9 @@ fn entries(name: &str, sets: u8, table: impl Iterator<Item = (u8, Length, Length
         require(seen.insert(number), || format!("{name} number {number} appears twice"))?;
         for (axis, amount) in [("x", x), ("z", z)] {
             require(within(amount, 999_999_000) && in_steps(amount), || {
-                format!("{name} number {number}: {axis} is {amount}, must be within 999.999 in steps of 0.001")
+                format!(
+                    "{name} number {number}: {axis} is {amount}, must be within 999.999 in steps of 0.001"
+                )
             })?;
         }
     }
@@ -133,7 +141,8 @@ fn entries(name: &str, sets: u8, table: impl Iterator<Item = (u8, Length, Length
 
 fn barriers(barriers: &Barriers) -> Checked {
     let b = barriers;
-    let sizes = [b.chuck_length, b.chuck_diameter, b.tailstock_length, b.tailstock_diameter, b.centre_diameter];
+    let sizes =
+        [b.chuck_length, b.chuck_diameter, b.tailstock_length, b.tailstock_diameter, b.centre_diameter];
     let places = [b.chuck_x, b.chuck_z, b.workpiece_end];
     let fits = |value: &Length| within(*value, 9_999_999_000) && in_steps(*value);
     require(sizes.iter().all(|size| size.0 >= 0 && fits(size)) && places.iter().all(fits), || {
