@@ -13,6 +13,7 @@
 //! tables, `quantity` and `real` the numbers.
 
 pub mod book;
+mod check;
 mod controls;
 mod emission;
 mod fault;
@@ -27,4 +28,5 @@ mod syntax;
 mod task;
 pub mod vocabulary;
 
-pub use run::{Diagnostic, Run, check, run};
+pub use check::{Diagnostic, check};
+pub use run::{Run, run};

@@ -5,11 +5,11 @@ use std::collections::{BTreeSet, VecDeque};
 use crate::emission::Emission;
 use crate::fault::{Fault, Outcome};
 use crate::modal::{self, Plan, Words};
-use crate::path::{self, Ahead, forget_base};
+use crate::path::{self, Ahead};
 use crate::state::{Modes, State};
 use crate::syntax::{Body, Item, ItemKind, Source, parse};
 use crate::vocabulary::rule_ids::*;
-use crate::vocabulary::{Action, AlarmName, Ending, Event, Label, Place, ReadingSet, RuleSet, Setup, Sink};
+use crate::vocabulary::{Action, AlarmName, Ending, Event, Label, Place, ReadingSet, Setup, Sink};
 
 /// How many blocks a corner may need beyond its own (E100L-ANG-05, E100L-ANG-06).
 const LOOK_AHEAD: usize = 2;
@@ -26,6 +26,15 @@ pub struct Run<'a> {
     waiting: VecDeque<Waiting>,
     events: u64,
     ending: Option<Ending>,
+}
+
+/// Whether a program goes on.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) enum Progress {
+    /// There is a next block.
+    Going,
+    /// M02 or M30 was carried out.
+    Ended,
 }
 
 /// A block that was read.
@@ -76,8 +85,8 @@ impl<'a> Run<'a> {
             self.send(place, emission, sink);
         }
         match result {
-            Ok(false) => {}
-            Ok(true) => self.ending = Some(Ending::End),
+            Ok(Progress::Going) => {}
+            Ok(Progress::Ended) => self.ending = Some(Ending::End),
             Err(fault) => {
                 let alarm = Emission {
                     action: Action::Alarm(fault.alarm),
@@ -97,8 +106,8 @@ impl<'a> Run<'a> {
         sink.event(&Event { n: self.events, block, rules, readings, action });
     }
 
-    /// Carries out one block; `true` at the end of the program.
-    fn block(&mut self, place: &mut Place, emissions: &mut Vec<Emission>) -> Outcome<bool> {
+    /// Carries out one block. The place is set as soon as it is known.
+    pub(crate) fn block(&mut self, place: &mut Place, emissions: &mut Vec<Emission>) -> Outcome<Progress> {
         let next = match self.waiting.pop_front() {
             Some(next) => next,
             None => self.read(place)?,
@@ -106,21 +115,20 @@ impl<'a> Run<'a> {
         *place = next.place;
         let words = match next.content {
             Content::End => return Err(Fault::new(AlarmName::NoProgramEnd, PROG_02)),
-            Content::Name => return Ok(false),
+            Content::Name => return Ok(Progress::Going),
             Content::Words(words) => *words,
             Content::Items(items) => modal::evaluate(&items, &mut self.state, emissions)?,
         };
-        if words.assigns {
-            forget_base(&mut self.state);
-        }
         let after_angle = self.state.angle_target.is_some();
         let plan = modal::check(words, self.state.modes, after_angle, &self.state)?;
         modal::before_motion(&plan, &mut self.state, emissions)?;
-        if plan.words.get('T').is_some() || plan.one_shot == Some(50) {
-            forget_base(&mut self.state);
+        if plan.words.assigns || plan.words.get('T').is_some() || plan.one_shot == Some(50) {
+            // The frame may have changed: a corner of before means nothing now.
+            self.state.base = None;
         }
         self.motion(&plan, emissions)?;
-        Ok(modal::after_motion(&plan, &mut self.state, emissions))
+        let ended = modal::after_motion(&plan, &mut self.state, emissions);
+        Ok(if ended { Progress::Ended } else { Progress::Going })
     }
 
     fn motion(&mut self, plan: &Plan, emissions: &mut Vec<Emission>) -> Outcome<()> {
@@ -129,7 +137,6 @@ impl<'a> Run<'a> {
                 let number = plan.words.feed.clone().unwrap_or_default();
                 emissions.push(modal::dwell(&number, &self.state)?);
             }
-            Some(22) => path::torque_skip(plan, &mut self.state, emissions)?,
             _ if plan.moves => {
                 let ahead = self.look_ahead(plan)?;
                 path::motion(plan, &ahead, &mut self.state, emissions)?;
@@ -187,7 +194,8 @@ impl<'a> Run<'a> {
                 ahead.push(Ahead::Nothing);
                 break;
             };
-            needs_next = next.is_angle_only();
+            // An angle-only block itself needs no more than the block after it.
+            needs_next = next.is_angle_only() && !plan.is_angle_only();
             before = next.clone();
             ahead.push(Ahead::Block(Box::new(next), place));
         }
@@ -231,67 +239,4 @@ pub fn run(program: &[u8], setup: &Setup, sink: &mut impl Sink) -> Ending {
             return ending;
         }
     }
-}
-
-/// One fault that [`check`] found.
-#[derive(Clone, PartialEq, Debug)]
-pub struct Diagnostic {
-    /// The alarm that the control would raise.
-    pub alarm: crate::vocabulary::Alarm,
-    /// Its rules.
-    pub rules: RuleSet,
-    /// The block.
-    pub block: Place,
-    /// Byte span of the word that is at fault, or of the block.
-    pub span: std::ops::Range<u32>,
-}
-
-impl Diagnostic {
-    fn new(fault: &Fault, block: Place) -> Self {
-        let block = fault.block.unwrap_or(block);
-        let span = fault.span.clone().unwrap_or(block.start..block.end);
-        Self { alarm: fault.alarm, rules: fault.rules, block, span }
-    }
-}
-
-/// Every fault of a program: the grammar faults of each block, in the order of the text, and the alarm of the
-/// run if it is none of them.
-#[must_use]
-pub fn check(program: &[u8], setup: &Setup) -> Vec<Diagnostic> {
-    let mut diagnostics = Vec::new();
-    let mut source = Source::new(program, setup.tape.code);
-    let mut program_name = Label::default();
-    loop {
-        let line = match source.next_line() {
-            Ok(Some(line)) => line,
-            Ok(None) => break,
-            Err(fault) => {
-                diagnostics.push(Diagnostic::new(&fault, Place::default()));
-                continue;
-            }
-        };
-        let mut place = Place { program: program_name, ..line.place };
-        match parse(&line, setup, &mut place.sequence) {
-            Ok(block) => {
-                if let Body::ProgramName(name) = block.body {
-                    program_name = name;
-                }
-            }
-            Err(fault) => diagnostics.push(Diagnostic::new(&fault, place)),
-        }
-    }
-    let mut run = Run::new(program, setup);
-    let mut place = Place::default();
-    let fault = loop {
-        match run.block(&mut place, &mut Vec::new()) {
-            Ok(false) => {}
-            Ok(true) => return diagnostics,
-            Err(fault) => break fault,
-        }
-    };
-    let found = Diagnostic::new(&fault, place);
-    if !diagnostics.iter().any(|known| known.block.start == found.block.start && known.alarm == found.alarm) {
-        diagnostics.push(found);
-    }
-    diagnostics
 }

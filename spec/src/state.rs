@@ -124,7 +124,7 @@ impl<'a> State<'a> {
         }
     }
 
-    /// The travel limit of an axis.
+    /// The travel limit of an axis; C has none, and no variable that asks for it.
     pub fn travel_limit(&self, axis: Axis) -> &TravelLimit {
         match axis {
             Axis::X => &self.limits.x,

@@ -9,6 +9,7 @@ use super::{feed, spindle, tool};
 use crate::controls::e100l::g_codes::{GCode, GGroup, g_code};
 use crate::emission::Emission;
 use crate::fault::Outcome;
+use crate::frame::FULL_TURN;
 use crate::state::State;
 use crate::vocabulary::rule_ids::*;
 use crate::vocabulary::{Action, FrameCause, InchConversion, RuleId, RuleSet};
@@ -36,27 +37,20 @@ pub fn before_motion(plan: &Plan, state: &mut State, emissions: &mut Vec<Emissio
     if let Some(number) = words.get('T') {
         let (event, frame) = tool::command(number, plan.moves, state);
         emissions.push(event);
-        check_time(&Timed::T, state)?;
+        if state.is_active(124) {
+            check_time(&Timed::T, state)?;
+        }
         emissions.extend(frame.map(|frame| of_inch_block(frame, plan, state)));
     }
     for code in words.m.iter().filter(|code| !is_program_code(**code)) {
+        // M124 itself is not checked, M125 still is.
+        let checked = state.is_active(124) && *code != 124;
         emissions.push(miscellaneous::command(*code, plan, state)?);
-        if *code != 124 {
-            // M125 itself is checked still: the check ends behind it.
-            check_m_time(*code, state)?;
+        if checked {
+            check_time(&Timed::M, state)?;
         }
     }
     Ok(())
-}
-
-fn check_m_time(code: u16, state: &mut State) -> Outcome<()> {
-    if code == 125 {
-        state.activate(124);
-        let checked = check_time(&Timed::M, state);
-        state.activate(125);
-        return checked;
-    }
-    check_time(&Timed::M, state)
 }
 
 /// M00, M01, M02 and M30 act after the motion.
@@ -108,7 +102,8 @@ fn zero_shift(plan: &Plan, state: &mut State, emissions: &mut Vec<Emission>) {
         let shift = &mut state.frame.zero_shift;
         shift.x += words.get('X').map_or(0, |value| present.x - value);
         shift.z += words.get('Z').map_or(0, |value| present.z - value);
-        shift.c += words.get('C').map_or(0, |value| present.c - value);
+        // Whole turns say nothing of a rotary axis.
+        shift.c = (shift.c + words.get('C').map_or(0, |value| present.c - value)) % FULL_TURN;
         shift.w += words.get('W').map_or(0, |value| present.w - value);
         let rules = RuleSet::of(&[G50_01, G50_02, G50_03, G50_04]);
         let event = Emission::new(state.frame.event(FrameCause::ZeroShift), rules);
@@ -133,7 +128,9 @@ fn spindle_words(plan: &Plan, state: &mut State, emissions: &mut Vec<Emission>) 
         let event = spindle::main_event(RuleSet::of(&[SPD_01]).union(order), with_motion, state);
         let event = event.rule_if(plan.moves, SPD_02).rule_if(!state.modes.cutting_speed(), CSS_02);
         emissions.push(event);
-        check_time(&Timed::S, state)?;
+        if state.is_active(124) {
+            check_time(&Timed::S, state)?;
+        }
     }
     if let Some(speed) = words.extended("SA") {
         emissions.push(spindle::c_axis_event(speed));

@@ -54,7 +54,10 @@ pub fn check(words: Words, modes: Modes, after_angle: bool, state: &State) -> Ou
     let mut moves = false;
     match one_shot {
         Some(4) => dwell(&words)?,
-        Some(22) => torque_skip(&words, setup)?,
+        Some(22) => {
+            torque_skip(&words, setup)?;
+            moves = true;
+        }
         Some(29) => torque_limit(&words, setup)?,
         Some(50) => zero_shift(&words, setup)?,
         Some(code @ (75 | 76)) => {

@@ -7,22 +7,14 @@ use crate::fault::{Outcome, fail};
 use crate::quantity::{Exact, ratio, round_narrow, whole};
 use crate::state::{Modes, State, StoredFeed};
 use crate::vocabulary::rule_ids::*;
-use crate::vocabulary::{Action, AlarmName, Duration, Feed, FeedRate, FeedUnit, RuleId, RuleSet};
+use crate::vocabulary::{Action, AlarmName, Duration, Feed, FeedRate, FeedUnit, RuleId, RuleSet, UnitSystem};
 
 /// Stores the number of an F word; its range is that of the feed unit in force (E100L-ADDR-01).
 pub fn store(number: &Exact, state: &mut State) -> Outcome<()> {
     let system = state.setup.unit_system;
     let per_minute = number * units::feed_per_minute(system);
     let per_revolution = number * units::length(system);
-    let in_force = if state.modes.per_minute() { &per_minute } else { &per_revolution };
-    let (lowest, highest) = if system.is_inch() {
-        (whole(2_540), whole(99_999_999 * 2_540_i64))
-    } else {
-        (whole(1_000), whole(99_999_999_000_i64))
-    };
-    if *in_force < lowest || *in_force > highest {
-        return fail(AlarmName::AddressRange, ADDR_01);
-    }
+    check_range(if state.modes.per_minute() { &per_minute } else { &per_revolution }, system)?;
     let picometres = |nanometres: &Exact| round_narrow(&(nanometres * whole(1_000)));
     state.feed = Some(StoredFeed {
         per_minute: picometres(&per_minute),
@@ -30,6 +22,13 @@ pub fn store(number: &Exact, state: &mut State) -> Outcome<()> {
         given_in: state.modes.get(GGroup::FeedUnit),
     });
     Ok(())
+}
+
+/// E100L-ADDR-01: the range of a feed in nanometres.
+fn check_range(feed: &Exact, system: UnitSystem) -> Outcome<()> {
+    let lowest = whole(if system.is_inch() { 2_540 } else { 1_000 });
+    let highest = whole(units::largest_length(system));
+    if *feed < lowest || *feed > highest { fail(AlarmName::AddressRange, ADDR_01) } else { Ok(()) }
 }
 
 /// The feed of a cutting motion with the rules that it obeys.
@@ -43,6 +42,7 @@ pub fn active_feed(state: &State) -> Outcome<(Feed, RuleSet)> {
     };
     let mut rules = RuleSet::of(&[rule]);
     if stored.given_in != modes.get(GGroup::FeedUnit) {
+        check_range(&ratio(value, 1_000), state.setup.unit_system)?;
         rules = rules.with(FEED_03);
     }
     Ok((Feed { value: FeedRate(value), unit }, rules))

@@ -86,7 +86,7 @@ pub enum Timed {
     M,
 }
 
-/// E100L-STM-01, E100L-STM-03: a function that takes longer than the limit.
+/// E100L-STM-01, E100L-STM-03: a function that takes longer than the limit, while M124 is in force.
 pub fn check_time(function: &Timed, state: &State) -> Outcome<()> {
     let stm = &state.setup.stm;
     let time: Duration = match function {
@@ -94,7 +94,7 @@ pub fn check_time(function: &Timed, state: &State) -> Outcome<()> {
         Timed::T => stm.t,
         Timed::M => stm.m,
     };
-    if stm.enabled && state.is_active(124) && time > stm.limit {
+    if stm.enabled && time > stm.limit {
         return fail(AlarmName::StmOver, STM_01);
     }
     Ok(())

@@ -1,7 +1,9 @@
 //! Spindle speeds (E100L-CSS-01 to -05, E100L-SMAX-01, E100L-SMAX-02, E100L-SPD-01 to -05, E100L-SB-01 to -04).
 
+use std::cmp::Ordering;
+
 use crate::emission::Emission;
-use crate::quantity::{Exact, round_narrow, whole};
+use crate::quantity::{Exact, narrow, round_narrow, whole};
 use crate::real::{self, Interval};
 use crate::state::State;
 use crate::vocabulary::rule_ids::*;
@@ -47,56 +49,86 @@ pub fn motion_speed(diameter: i64, state: &State) -> Option<MotionSpeed> {
 
 /// The speed of the turning main spindle.
 fn speed(diameter: i64, state: &State) -> MotionSpeed {
-    let (commanded, mut limit) = if state.modes.cutting_speed() {
-        limited_to_gear(diameter, state)
-    } else {
-        (state.spindle.speed, None)
-    };
-    let reading = state.setup.readings.speed_clamp;
-    let acts = reading == SpeedClamp::Always || state.modes.cutting_speed();
-    let speed = match state.spindle.clamp {
-        Some(clamp) if acts && commanded > clamp => {
-            limit = Some(SpeedLimit::Clamp);
-            clamp
+    let cutting_speed = state.modes.cutting_speed();
+    let mut turning =
+        if cutting_speed { commanded(diameter, state) } else { Turning::Whole(state.spindle.speed) };
+    let mut limit = None;
+    if cutting_speed {
+        // E100L-CSS-04.
+        let (minimum, maximum) = gear_range(state);
+        if turning.compare(maximum).is_gt() {
+            (turning, limit) = (Turning::Whole(maximum), Some(SpeedLimit::GearMaximum));
+        } else if turning.compare(minimum).is_lt() {
+            (turning, limit) = (Turning::Whole(minimum), Some(SpeedLimit::GearMinimum));
         }
-        _ => commanded,
-    };
-    MotionSpeed { speed: Speed(speed), limit, clamp_reading: reading }
+    }
+    // E100L-SMAX-01, E100L-SMAX-02.
+    let reading = state.setup.readings.speed_clamp;
+    let acts = reading == SpeedClamp::Always || cutting_speed;
+    if let Some(clamp) = state.spindle.clamp.filter(|_| acts)
+        && turning.compare(clamp).is_gt()
+    {
+        (turning, limit) = (Turning::Whole(clamp), Some(SpeedLimit::Clamp));
+    }
+    MotionSpeed { speed: Speed(turning.rounded()), limit, clamp_reading: reading }
 }
 
-/// E100L-CSS-01, E100L-CSS-04: n = v / (π d), held within the gear range; in thousandths of a revolution per
-/// minute.
-///
-/// The clamp is a whole number of them, so that it may be compared after rounding only if rounding up to it
-/// is no excess: a speed that rounds to the clamp is the clamp.
-fn limited_to_gear(diameter: i64, state: &State) -> (i64, Option<SpeedLimit>) {
+/// A speed in thousandths of a revolution per minute, before it is rounded.
+enum Turning {
+    /// A whole number of them.
+    Whole(i64),
+    /// This number divided by π.
+    OverPi(Exact),
+    /// More than every bound.
+    Unbounded,
+}
+
+impl Turning {
+    fn over_pi(number: &Exact, precision: usize) -> Interval {
+        Interval::of(number, precision).div(&real::pi(precision))
+    }
+
+    fn compare(&self, bound: i64) -> Ordering {
+        match self {
+            Self::Whole(speed) => speed.cmp(&bound),
+            Self::OverPi(number) => {
+                let bound = whole(bound);
+                real::sign(|precision| Self::over_pi(number, precision).sub(&Interval::of(&bound, precision)))
+            }
+            Self::Unbounded => Ordering::Greater,
+        }
+    }
+
+    fn rounded(&self) -> i64 {
+        match self {
+            Self::Whole(speed) => *speed,
+            Self::OverPi(number) => {
+                narrow(&real::nearest_whole(|precision| Self::over_pi(number, precision)))
+            }
+            Self::Unbounded => i64::MAX,
+        }
+    }
+}
+
+/// E100L-CSS-01: n = 1000 v / (π d).
+fn commanded(diameter: i64, state: &State) -> Turning {
+    let surface = state.spindle.surface;
+    match (surface, diameter) {
+        (0, _) => Turning::Whole(0),
+        (_, 0) => Turning::Unbounded,
+        // v in µm/min, d in nm: 1000 v / d turns a minute, times 1000.
+        _ => Turning::OverPi(whole(surface) * whole(1_000_000) / whole(diameter.abs())),
+    }
+}
+
+/// Lowest and highest speed of the active gear (E100L-SPD-05), of the spindle without one.
+fn gear_range(state: &State) -> (i64, i64) {
     let setup = &state.setup.spindle;
     let gear = state.active("gear");
     let entry = setup.gear.iter().find(|entry| Some(u16::from(entry.code)) == gear);
     let (minimum, maximum) =
         entry.map_or((setup.minimum, setup.maximum), |entry| (entry.minimum, entry.maximum));
-    if diameter == 0 {
-        return (maximum.0, Some(SpeedLimit::GearMaximum));
-    }
-    // v in µm/min, d in nm: v·1000/d turns a minute, times 1000.
-    let times_pi = whole(state.spindle.surface) * whole(1_000_000) / whole(diameter.abs());
-    let exact = |precision| turned(&times_pi, precision);
-    let above = |bound: i64| {
-        let bound = whole(bound);
-        real::sign(|precision| exact(precision).sub(&Interval::of(&bound, precision)))
-    };
-    if above(maximum.0).is_gt() {
-        (maximum.0, Some(SpeedLimit::GearMaximum))
-    } else if above(minimum.0).is_lt() {
-        (minimum.0, Some(SpeedLimit::GearMinimum))
-    } else {
-        let nearest = real::nearest_whole(exact);
-        (crate::quantity::narrow(&nearest), None)
-    }
-}
-
-fn turned(times_pi: &Exact, precision: usize) -> Interval {
-    Interval::of(times_pi, precision).div(&real::pi(precision))
+    (minimum.0, maximum.0)
 }
 
 /// The event of a main spindle command: its state as it is now.

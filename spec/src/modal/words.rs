@@ -149,7 +149,7 @@ fn amount(address: Address, given: &Given, setup: &Setup) -> Outcome<i64> {
         Address::Letter(b'C') => angle(given, 359_999_000, setup),
         Address::Letter(b'A' | b'B') => angle(given, Setup::COORDINATE, setup),
         Address::Letter(b'E') => {
-            let limit = largest_length(setup);
+            let limit = whole(units::largest_length(system));
             within(&(&given.value * units::length(system)), &-limit.clone(), &limit, ADDR_01)?;
             Ok(0)
         }
@@ -175,14 +175,9 @@ fn whole_number(given: &Given, lowest: i64, highest: i64, rule: RuleId) -> Outco
     Ok(quantity::round_narrow(&given.value))
 }
 
-/// Largest length that can be written, in nanometres: 99999.999 mm or 9999.9999 inch.
-fn largest_length(setup: &Setup) -> Exact {
-    whole(if setup.unit_system.is_inch() { 99_999_999 * 2_540 } else { Setup::COORDINATE })
-}
-
 fn length(given: &Given, signed: bool, setup: &Setup) -> Outcome<i64> {
     let exact = &given.value * units::length(setup.unit_system);
-    let limit = largest_length(setup);
+    let limit = whole(units::largest_length(setup.unit_system));
     let lowest = if signed { -limit.clone() } else { Exact::ZERO };
     within(&exact, &lowest, &limit, ADDR_01)?;
     Ok(latched_length(&exact, given.real, setup))
@@ -259,7 +254,13 @@ fn add_m(given: &Given, words: &mut Words) -> Outcome<()> {
     match m_code(code) {
         MCode::Modelled => {}
         MCode::Later => {
-            return Err(Fault::about(AlarmName::NotModelled, MTAB_01, code_label('M', code).as_str()));
+            // A barrier that is on would have to be watched.
+            let rule = match code {
+                21 => MCODE_09,
+                25 => MCODE_11,
+                _ => MTAB_01,
+            };
+            return Err(Fault::about(AlarmName::NotModelled, rule, code_label('M', code).as_str()));
         }
         MCode::Unassigned => return fail(AlarmName::MCodeUnassigned, MTAB_01),
     }

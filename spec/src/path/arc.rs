@@ -2,7 +2,7 @@
 
 use super::element::{Axes, check_range, coordinate_readings, coordinate_rules, go, with_speed};
 use super::plane::{Point, Vector, latch};
-use super::target::{self, Origin, origin};
+use super::target::Origin;
 use crate::emission::Emission;
 use crate::fault::{Fault, Outcome, fail};
 use crate::frame::Amounts;
@@ -23,14 +23,12 @@ struct Arc {
 
 /// Moves along a circle.
 pub fn arc(plan: &Plan, state: &mut State, emissions: &mut Vec<Emission>) -> Outcome<()> {
-    target::forget_base(state);
-    let (origin, ..) = origin(plan, state);
+    let origin = Origin::present(state);
     let sense = if plan.motion() == 2 { Sense::Clockwise } else { Sense::CounterClockwise };
     let arc = match plan.words.get('L') {
         Some(radius) => by_radius(plan, origin, radius, sense)?,
         None => by_centre(plan, origin, sense, state)?,
     };
-    check_range(arc.end.0, arc.end.1, 0)?;
     let axes = Axes::PLANE;
     let given = RuleSet::of(&[CIRC_02, CIRC_09, CIRC_10]).union(arc.rules);
     let event = element(arc.end, arc.centre, sense, axes, plan, given, state)?;
@@ -48,8 +46,9 @@ pub fn element(
     rules: RuleSet,
     state: &mut State,
 ) -> Outcome<Emission> {
-    let (feed, feed_rules) = crate::modal::active_feed(state)?;
     let target = Amounts { x: end.0, z: end.1, ..Amounts::default() };
+    check_range(target, axes, state.setup)?;
+    let (feed, feed_rules) = crate::modal::active_feed(state)?;
     let (motion, _) = go(target, axes, false, state)?;
     state.cut_last = true;
     let action = Action::Arc { motion, feed, sense, centre_x: Length(centre.0), centre_z: Length(centre.1) };

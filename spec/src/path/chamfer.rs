@@ -48,10 +48,10 @@ pub fn chamfer(
     } else {
         any_angle_corner(plan, origin, corner_point, ahead, state)?
     };
-    check_range(corner_point.0, corner_point.1, 0)?;
+    let amounts = |point: Point| Amounts { x: point.0, z: point.1, ..Amounts::default() };
+    check_range(amounts(corner_point), Axes::PLANE, state.setup)?;
     let rules = RuleSet::of(&[CHAM_12, corner.rule]).union(end.rules).union(base_rules);
     let readings = end.readings.union(base_readings).union(corner.readings);
-    let amounts = |point: Point| Amounts { x: point.0, z: point.1, ..Amounts::default() };
     if let Some(point) = corner.line_to {
         let event = line(amounts(point), Axes::PLANE, rules, plan, state)?;
         emissions.push(event.readings(readings));

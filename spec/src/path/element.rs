@@ -1,5 +1,6 @@
 //! Elements of the path: what every motion has in common.
 
+use crate::controls::e100l::units;
 use crate::emission::Emission;
 use crate::fault::{Outcome, fail};
 use crate::frame::{Amounts, position};
@@ -28,10 +29,14 @@ impl Axes {
     pub const PLANE: Self = Self { x: true, z: true, w: false, c: None };
 }
 
-/// E100L-ADDR-01: a target that no coordinate word could name.
-pub fn check_range(x: i64, z: i64, w: i64) -> Outcome<()> {
-    let beyond = |value: i64| value.abs() > Setup::COORDINATE;
-    if [x, z, w].into_iter().any(beyond) { fail(AlarmName::CoordinateRange, ADDR_01) } else { Ok(()) }
+/// E100L-ADDR-01: a target that no coordinate word could name, on the axes that go there.
+pub fn check_range(target: Amounts, axes: Axes, setup: &Setup) -> Outcome<()> {
+    let largest = units::largest_length(setup.unit_system);
+    let beyond = |moves: bool, value: i64| moves && value.abs() > largest;
+    if beyond(axes.x, target.x) || beyond(axes.z, target.z) || beyond(axes.w, target.w) {
+        return fail(AlarmName::CoordinateRange, ADDR_01);
+    }
+    Ok(())
 }
 
 /// Rules that every motion of a block obeys; X is a diameter with the C axis too (E100L-DIA-02).
@@ -88,16 +93,21 @@ pub fn go(target: Amounts, axes: Axes, clamped: bool, state: &mut State) -> Outc
         program: position(program, c_joined, w_axis),
         machine: position(machine, c_joined, w_axis),
         c_travel: axes.c.map(Angle),
-        speed: motion_speed(program.x, state).map(|speed| speed.speed),
+        speed: None,
     };
     Ok((motion, replaced))
 }
 
-/// E100L-CSS-01, E100L-CSS-05: the event with the rules and readings of the spindle speed at its end.
-pub fn with_speed(event: Emission, rapid: bool, state: &State) -> Emission {
+/// E100L-CSS-01, E100L-CSS-05: the motion event with the spindle speed at its end.
+pub fn with_speed(mut event: Emission, rapid: bool, state: &State) -> Emission {
     match motion_speed(state.frame.program().x, state) {
         None => event,
         Some(speed) => {
+            if let Action::Rapid { motion } | Action::Linear { motion, .. } | Action::Arc { motion, .. } =
+                &mut event.action
+            {
+                motion.speed = Some(speed.speed);
+            }
             let rules = event.rules.with(if rapid { CSS_05 } else { CSS_01 }).union(speed.rules());
             Emission { rules, ..event }.readings(speed.readings())
         }
@@ -138,6 +148,7 @@ pub fn line(
     plan: &Plan,
     state: &mut State,
 ) -> Outcome<Emission> {
+    check_range(target, axes, state.setup)?;
     let (feed, feed_rules) = crate::modal::active_feed(state)?;
     let from = state.frame.machine;
     let (motion, replaced) = go(target, axes, true, state)?;

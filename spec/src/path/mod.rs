@@ -9,11 +9,11 @@ mod straight;
 mod target;
 mod torque_skip;
 
-pub use chamfer::chamfer;
+use chamfer::chamfer;
 pub use plane::Point;
-pub use straight::straight;
-pub use target::{Ahead, forget_base};
-pub use torque_skip::torque_skip;
+use straight::straight;
+pub use target::Ahead;
+use torque_skip::torque_skip;
 
 use crate::emission::Emission;
 use crate::fault::Outcome;
@@ -21,10 +21,17 @@ use crate::modal::Plan;
 use crate::state::State;
 
 /// Carries out the motion of a block that has one. `ahead` are the blocks that look-ahead has read.
+///
+/// A corner that a chamfer block leaves behind (E100L-CHAM-13) is forgotten after the next motion of X or Z.
 pub fn motion(plan: &Plan, ahead: &[Ahead], state: &mut State, emissions: &mut Vec<Emission>) -> Outcome<()> {
-    match plan.motion() {
-        _ if plan.is_chamfer() => chamfer(plan, ahead, state, emissions),
-        0 | 1 => straight(plan, ahead, state, emissions),
-        _ => arc::arc(plan, state, emissions),
+    match (plan.one_shot, plan.motion()) {
+        (Some(75 | 76), _) => return chamfer(plan, ahead, state, emissions),
+        (Some(_), _) => torque_skip(plan, state, emissions)?,
+        (None, 0 | 1) => straight(plan, ahead, state, emissions)?,
+        (None, _) => arc::arc(plan, state, emissions)?,
     }
+    if plan.words.has_any("XZA") {
+        state.base = None;
+    }
+    Ok(())
 }

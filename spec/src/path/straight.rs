@@ -1,7 +1,7 @@
 //! G00 and G01 (E100L-G00-01 to -04, E100L-G01-01 to -04), with the C axis (E100L-CAX-02, -05 to -07).
 
 use super::element::{Axes, check_range, coordinate_readings, coordinate_rules, go, line, with_speed};
-use super::target::{self, Ahead, angle_end, line_end, origin};
+use super::target::{Ahead, angle_end, line_end, origin};
 use crate::emission::Emission;
 use crate::fault::{Outcome, fail};
 use crate::frame::{Amounts, FULL_TURN};
@@ -33,17 +33,17 @@ pub fn straight(
         w: w.is_some(),
         c: None,
     };
-    check_range(end.point.0, end.point.1, w.unwrap_or(0))?;
+    let mut target = Amounts { x: end.point.0, z: end.point.1, c: 0, w: w.unwrap_or(0) };
+    check_range(target, axes, state.setup)?;
     let c = c_target(plan, state)?;
-    if let Some((_, travel)) = c {
+    if let Some((place, travel)) = c {
+        target.c = place;
         axes.c = Some(travel);
         rules = rules.with(CAX_05);
         if words.extended("QA").is_some() {
             rules = rules.with(CAX_06);
         }
     }
-    let target =
-        Amounts { x: end.point.0, z: end.point.1, c: c.map_or(0, |(target, _)| target), w: w.unwrap_or(0) };
     let event = if plan.motion() == 0 {
         let (motion, replaced) = go(target, axes, true, state)?;
         state.cut_last = false;
@@ -54,7 +54,6 @@ pub fn straight(
         line(target, axes, rules, plan, state)?
     };
     emissions.push(event.readings(readings));
-    target::forget_base(state);
     if plan.is_angle_only()
         && let Some(Ahead::Block(next, _)) = ahead.first()
     {

@@ -40,16 +40,19 @@ pub struct Origin {
     pub incremental: Point,
 }
 
-/// Forgets the base point of a chamfer block before.
-pub fn forget_base(state: &mut State) {
-    state.base = None;
+impl Origin {
+    /// The present point, for both.
+    pub fn present(state: &State) -> Self {
+        let present = state.frame.program();
+        let start = (present.x, present.z);
+        Self { start, incremental: start }
+    }
 }
 
 /// The origin of a block, and the reading that it depends on (E100L-CHAM-13).
 pub fn origin(plan: &Plan, state: &State) -> (Origin, RuleSet, ReadingSet) {
-    let present = state.frame.program();
-    let present = (present.x, present.z);
-    let here = Origin { start: present, incremental: present };
+    let here = Origin::present(state);
+    let present = here.start;
     match state.base {
         None => (here, RuleSet::EMPTY, ReadingSet::default()),
         Some(Base { corner, whole: true }) => {

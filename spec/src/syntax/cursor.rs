@@ -85,18 +85,24 @@ impl<'a> Cursor<'a> {
         }
     }
 
+    /// Skips ignored characters and tabs.
+    pub fn skip_plain_blanks(&mut self) {
+        while self.peek().is_some_and(|code| is_ignored(code) || code == b'\t') {
+            self.advance(1);
+        }
+    }
+
     /// Skips ignored characters, tabs and comments (E100L-CMT-01).
     ///
     /// # Errors
     /// A comment that does not end in its block.
     pub fn skip_blanks(&mut self) -> Outcome<()> {
         loop {
-            self.skip_ignored();
-            match self.peek() {
-                Some(b'\t') => self.advance(1),
-                Some(b'(') => self.skip_comment()?,
-                _ => return Ok(()),
+            self.skip_plain_blanks();
+            if self.peek() != Some(b'(') {
+                return Ok(());
             }
+            self.skip_comment()?;
         }
     }
 
@@ -145,7 +151,12 @@ pub fn is_alphanumeric(code: u8) -> bool {
     code.is_ascii_uppercase() || code.is_ascii_digit()
 }
 
-/// Whether a character separates an operator word from its neighbours; so does the end of the block.
-pub fn is_blank(code: Option<u8>) -> bool {
-    code.is_none_or(|code| is_ignored(code) || matches!(code, b'\t' | b'(' | b')'))
+/// Whether a character in front separates a word from what stands there: a blank, or the end of a comment.
+pub fn is_blank_before(code: Option<u8>) -> bool {
+    code.is_some_and(|code| is_ignored(code) || matches!(code, b'\t' | b')'))
+}
+
+/// Whether a character behind separates a word from what follows: a blank, a comment, or the end of the block.
+pub fn is_blank_after(code: Option<u8>) -> bool {
+    code.is_none_or(|code| is_ignored(code) || matches!(code, b'\t' | b'('))
 }

@@ -1,7 +1,7 @@
 //! Expressions, one function a level of precedence (E100L-MATH-17, E100L-AEXP-05, E100L-AEXP-06, E100L-AEXP-07).
 
 use super::cursor::Cursor;
-use super::items::{has_blanks, local_variable, variable};
+use super::items::{has_blanks, local_variable, not_has_blanks, variable};
 use super::number;
 use super::tree::{BinaryOperator, Expression, Function};
 use crate::controls::e100l::addresses::{EXTENDED, EXTENDED_LATER, OPERATOR_WORDS, STATEMENTS};
@@ -32,7 +32,7 @@ fn negation(cursor: &mut Cursor, setup: &Setup) -> Outcome<Expression> {
     if cursor.run() != "NOT" {
         return comparison(cursor, setup);
     }
-    if !has_blanks(cursor, 3, true) {
+    if !not_has_blanks(cursor) {
         return fail(AlarmName::OperatorBlankMissing, MATH_06);
     }
     cursor.advance(3);
@@ -174,7 +174,7 @@ fn take_word(cursor: &mut Cursor, words: &[&str], rule: RuleId) -> Outcome<Optio
     let run = cursor.run();
     match BinaryOperator::of_word(&run).filter(|_| words.contains(&run.as_str())) {
         Some(operator) => {
-            if !has_blanks(cursor, run.len(), false) {
+            if !has_blanks(cursor, run.len()) {
                 return Err(Fault::new(AlarmName::OperatorBlankMissing, rule));
             }
             cursor.advance(run.len());

@@ -1,6 +1,6 @@
 //! The beginning of a block: program name, sequence name, block delete mark, statement.
 
-use super::cursor::{Cursor, is_blank};
+use super::cursor::{Cursor, is_blank_after};
 use super::items;
 use super::source::Line;
 use super::tree::{Block, Body};
@@ -22,22 +22,30 @@ fn body(cursor: &mut Cursor, setup: &Setup, sequence: &mut Label) -> Outcome<Bod
     if matches!(cursor.peek(), Some(b'O' | b':')) {
         return program_name(cursor);
     }
+    let skips = setup.switches.block_delete;
     let mut deleted = delete_mark(cursor, false)?;
+    if deleted {
+        if skips { cursor.skip_plain_blanks() } else { cursor.skip_blanks()? }
+    }
     if cursor.peek() == Some(b'N') && cursor.run() != "NOEX" {
         *sequence = sequence_name(cursor)?;
+        if deleted && skips {
+            return Ok(Body::Skipped);
+        }
         cursor.skip_blanks()?;
         deleted = delete_mark(cursor, deleted)?;
     }
-    if deleted && setup.switches.block_delete {
+    if deleted && skips {
         return Ok(Body::Skipped);
     }
+    cursor.skip_blanks()?;
     if matches!(cursor.peek(), Some(b'O' | b':')) {
         // E100L-DEL-03, E100L-NAME-03: neither a slash nor anything else stands with a program name.
         return fail(AlarmName::ProgramNameNotAlone, if deleted { DEL_03 } else { NAME_03 });
     }
     statement(cursor)?;
     let items = items::items(cursor, setup)?;
-    let empty = items.is_empty() && sequence.is_empty() && !deleted;
+    let empty = items.is_empty() && sequence.is_empty();
     Ok(if empty { Body::Empty } else { Body::Items(items) })
 }
 
@@ -74,7 +82,6 @@ fn delete_mark(cursor: &mut Cursor, already: bool) -> Outcome<bool> {
         return Err(Fault::new(AlarmName::SlashMisplaced, DEL_02).at(cursor.offset()..cursor.offset() + 1));
     }
     cursor.advance(1);
-    cursor.skip_blanks()?;
     Ok(true)
 }
 
@@ -91,7 +98,7 @@ fn sequence_name(cursor: &mut Cursor) -> Outcome<Label> {
     };
     cursor.advance(length);
     let delimiter = cursor.peek();
-    if delimiter == Some(b')') || !is_blank(delimiter) && delimiter != Some(b'/') {
+    if !is_blank_after(delimiter) && delimiter != Some(b'/') {
         return Err(Fault::new(AlarmName::SequenceDelimiterMissing, SEQ_02).at(cursor.span_from(start)));
     }
     let name = run.get(..length).unwrap_or_default();

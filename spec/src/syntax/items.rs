@@ -1,6 +1,6 @@
 //! The items of a block: words, assignments, the mnemonic.
 
-use super::cursor::{Cursor, is_blank};
+use super::cursor::{Cursor, is_blank_after, is_blank_before};
 use super::tree::{Address, BinaryOperator, Expression, Function, Item, ItemKind, Value, Variable};
 use super::{expression, number};
 use crate::controls::e100l::addresses::{EXTENDED, EXTENDED_LATER, LETTERS, OPERATOR_WORDS, STATEMENTS};
@@ -32,7 +32,7 @@ pub fn items(cursor: &mut Cursor, setup: &Setup) -> Outcome<Vec<Item>> {
 fn item(cursor: &mut Cursor, setup: &Setup) -> Outcome<ItemKind> {
     match cursor.peek() {
         Some(b'/') => fail(AlarmName::SlashMisplaced, DEL_02),
-        Some(b'V') => assignment(cursor, setup),
+        Some(b'V') if cursor.run() != "VSET" => assignment(cursor, setup),
         Some(b'A'..=b'Z') if cursor.look(1).is_some_and(|next| next.is_ascii_uppercase()) => {
             named(cursor, setup)
         }
@@ -129,9 +129,12 @@ fn value_after_equal_sign(cursor: &mut Cursor, address: Address, setup: &Setup) 
     cursor.rewind(number_begins);
     if is_number {
         number::plain(cursor)?;
-        if !operator_follows(cursor)? {
+        let follows = operator_follows(cursor);
+        if !matches!(follows, Ok(true)) {
             cursor.rewind(number_begins);
-            return plain_number(cursor, address).map(Value::Number);
+            let number = plain_number(cursor, address)?;
+            // The fault of what follows stands behind those of the number.
+            return follows.map(|_| Value::Number(number));
         }
     }
     cursor.rewind(start);
@@ -207,9 +210,14 @@ fn suffix(cursor: &mut Cursor, setup: &Setup, wanted: bool) -> Outcome<Option<Ex
     if cursor.take(b']') { Ok(Some(number)) } else { fail(AlarmName::BracketUnbalanced, AEXP_04) }
 }
 
-/// E100L-MATH-06, E100L-AEXP-03: an operator word of this length here has a blank on both sides.
-pub fn has_blanks(cursor: &Cursor, length: usize, prefix: bool) -> bool {
+/// E100L-MATH-06, E100L-AEXP-03: a binary operator word of this length here has a blank on both sides.
+pub fn has_blanks(cursor: &Cursor, length: usize) -> bool {
+    is_blank_before(cursor.before()) && is_blank_after(cursor.look(length))
+}
+
+/// E100L-MATH-06: in front of `NOT` an opening bracket, a comma or an equal sign will do as well.
+pub fn not_has_blanks(cursor: &Cursor) -> bool {
     let before = cursor.before();
-    let opened = prefix && matches!(before, Some(b'[' | b',' | b'='));
-    (opened || before.is_some() && is_blank(before)) && is_blank(cursor.look(length))
+    let opened = matches!(before, Some(b'[' | b',' | b'='));
+    (opened || is_blank_before(before)) && is_blank_after(cursor.look("NOT".len()))
 }

@@ -26,6 +26,8 @@ pub struct Line {
     pub characters: Vec<Character>,
     /// How many there are, without carriage returns.
     pub length: usize,
+    /// Whether it is a `%` alone.
+    is_tape_mark: bool,
     /// Line number and byte span.
     pub place: Place,
 }
@@ -50,15 +52,17 @@ impl<'a> Source<'a> {
     /// A malformed file header.
     pub fn next_line(&mut self) -> Outcome<Option<Line>> {
         if self.position == 0 && self.at_dollar() {
+            let start = self.position;
             let header = self.physical_line();
-            read_header(&header).map_err(|fault| fault.of_block(header.place))?;
+            let bytes = self.bytes.get(start..self.position).unwrap_or_default();
+            self.read_header(bytes).map_err(|fault| fault.of_block(header.place))?;
         }
         loop {
             if self.position >= self.bytes.len() {
                 return Ok(None);
             }
             let mut line = self.physical_line();
-            if is_tape_mark(&line) {
+            if line.is_tape_mark {
                 continue;
             }
             while self.at_dollar() {
@@ -102,19 +106,48 @@ impl<'a> Source<'a> {
         self.bytes.get(self.position).is_some_and(|byte| self.character(*byte) == Some(b'$'))
     }
 
+    /// E100L-TAPE-04, E100L-PROG-05: `$`, file name, `.`, extension, `%`.
+    fn read_header(&self, bytes: &[u8]) -> Outcome<()> {
+        if bytes.iter().any(|byte| self.is_faulty(*byte)) {
+            return Err(Fault::new(AlarmName::ParityError, CMT_02));
+        }
+        let characters = bytes.iter().filter_map(|byte| self.character(*byte));
+        let mut text: Vec<u8> = characters.filter(|code| *code != b'\n').collect();
+        while text.last().is_some_and(|last| is_ignored(*last)) {
+            text.pop();
+        }
+        if text.pop() != Some(b'%') {
+            return Err(Fault::new(AlarmName::HeaderMalformed, PROG_05));
+        }
+        let extension = text.rsplit(|code| *code == b'.').next().unwrap_or_default();
+        // E100L-PROG-01: schedule programs and subprograms.
+        match std::str::from_utf8(extension) {
+            Ok(kind @ ("SDF" | "SUB" | "SSB")) if text.contains(&b'.') => {
+                Err(Fault::about(AlarmName::NotModelled, PROG_01, kind))
+            }
+            _ => Ok(()),
+        }
+    }
+
+    fn is_faulty(&self, byte: u8) -> bool {
+        match self.code {
+            TapeCode::Ascii => false,
+            TapeCode::Iso => !tape_codes::iso_parity_holds(byte),
+            TapeCode::Eia => self.character(byte).is_none(),
+        }
+    }
+
     /// Takes one physical line with its end of block (E100L-FMT-04).
     fn physical_line(&mut self) -> Line {
         let start = offset(self.position);
         let mut characters = Vec::new();
         let mut end = start;
         let mut length = 0;
+        // Characters that are not ignored, and whether they are all `%`.
+        let (mut visible, mut marks) = (0_u64, true);
         while let Some(&byte) = self.bytes.get(self.position) {
             let code = self.character(byte);
-            let faulty = match self.code {
-                TapeCode::Ascii => false,
-                TapeCode::Iso => !tape_codes::iso_parity_holds(byte),
-                TapeCode::Eia => code.is_none(),
-            };
+            let faulty = self.is_faulty(byte);
             let character = Character { code: code.unwrap_or(0), offset: offset(self.position), faulty };
             self.position += 1;
             if character.code == b'\n' {
@@ -125,13 +158,19 @@ impl<'a> Source<'a> {
             }
             end = offset(self.position);
             length += usize::from(character.code != b'\r');
-            if length <= BLOCK_LENGTH {
+            if faulty || !is_ignored(character.code) {
+                visible += 1;
+                marks &= character.code == b'%' && !faulty;
+            }
+            // A run of carriage returns is one blank.
+            let repeated = |before: &Character| character.code == b'\r' && before.code == b'\r' && !faulty;
+            if length <= BLOCK_LENGTH && !characters.last().is_some_and(repeated) {
                 characters.push(character);
             }
         }
         let place = Place { line: self.line, start, end, ..Place::default() };
         self.line += 1;
-        Line { characters, length, place }
+        Line { characters, length, is_tape_mark: visible == 1 && marks, place }
     }
 }
 
@@ -158,28 +197,4 @@ pub(super) fn is_ignored(code: u8) -> bool {
 
 fn offset(position: usize) -> u32 {
     u32::try_from(position).unwrap_or(u32::MAX)
-}
-
-fn is_tape_mark(line: &Line) -> bool {
-    let mut rest = line.characters.iter().filter(|character| character.faulty || !is_ignored(character.code));
-    rest.next().is_some_and(|mark| mark.code == b'%' && !mark.faulty) && rest.next().is_none()
-}
-
-/// E100L-TAPE-04, E100L-PROG-05: `$`, file name, `.`, extension, `%`.
-fn read_header(header: &Line) -> Outcome<()> {
-    let mut text: Vec<u8> = header.characters.iter().map(|character| character.code).collect();
-    while text.last().is_some_and(|last| is_ignored(*last)) {
-        text.pop();
-    }
-    if text.pop() != Some(b'%') {
-        return Err(Fault::new(AlarmName::HeaderMalformed, PROG_05));
-    }
-    let extension = text.rsplit(|code| *code == b'.').next().unwrap_or_default();
-    // E100L-PROG-01: schedule programs and subprograms.
-    match std::str::from_utf8(extension) {
-        Ok(kind @ ("SDF" | "SUB" | "SSB")) if text.contains(&b'.') => {
-            Err(Fault::about(AlarmName::NotModelled, PROG_01, kind))
-        }
-        _ => Ok(()),
-    }
 }

@@ -122,8 +122,8 @@ fn store(quantity: Quantity, number: usize, increments: i64, state: &mut State) 
                 *of_pair_mut(entry, axis) = amount;
             }
         }
-        Quantity::PositiveLimit(axis) => state.travel_limit_mut(axis).set_positive(amount),
-        Quantity::NegativeLimit(axis) => state.travel_limit_mut(axis).set_negative(amount),
+        Quantity::PositiveLimit(axis) => state.travel_limit_mut(axis).positive = Some(amount),
+        Quantity::NegativeLimit(axis) => state.travel_limit_mut(axis).negative = Some(amount),
         Quantity::Droop(axis) => {
             if let Some(entry) = state.memory.droop.get_mut(droop_index(axis)) {
                 *entry = u16::try_from(increments).unwrap_or_default();

@@ -10,7 +10,7 @@ use crate::quantity::{nearest_real, ratio, round_narrow, whole};
 use crate::state::State;
 use crate::syntax::Expression;
 use crate::vocabulary::rule_ids::*;
-use crate::vocabulary::{AlarmName, UnitSystem};
+use crate::vocabulary::{AlarmName, Setup, UnitSystem};
 
 /// The value of a system variable.
 pub fn system_variable(
@@ -26,8 +26,12 @@ pub fn system_variable(
         Quantity::ZeroShift(axis) => of_axis(frame.zero_shift, axis, system),
         Quantity::ToolOffset(axis) => of_axis(entry(&frame.tool_offsets, number), axis, system),
         Quantity::NoseRadius(axis) => length(of_pair(entry(&state.memory.nose_radii, number), axis), system),
-        Quantity::PositiveLimit(axis) => length(state.travel_limit(axis).positive, system),
-        Quantity::NegativeLimit(axis) => length(state.travel_limit(axis).negative, system),
+        Quantity::PositiveLimit(axis) => {
+            length(state.travel_limit(axis).positive.unwrap_or(Setup::COORDINATE), system)
+        }
+        Quantity::NegativeLimit(axis) => {
+            length(state.travel_limit(axis).negative.unwrap_or(-Setup::COORDINATE), system)
+        }
         Quantity::Droop(axis) => {
             Number::Integer(i32::from(state.memory.droop.get(droop_index(axis)).copied().unwrap_or_default()))
         }

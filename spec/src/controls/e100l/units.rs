@@ -14,6 +14,11 @@ pub fn length(system: UnitSystem) -> Exact {
     })
 }
 
+/// Largest length of E100L-ADDR-01 in nanometres: 99999.999 mm or 9999.9999 inch.
+pub fn largest_length(system: UnitSystem) -> i64 {
+    if system.is_inch() { 99_999_999 * 2_540 } else { 99_999_999 * 1_000 }
+}
+
 /// Nanometres of a written 1 of a feed per minute.
 pub fn feed_per_minute(system: UnitSystem) -> Exact {
     whole(match system {

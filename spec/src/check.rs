@@ -1,0 +1,84 @@
+//! Every fault of a program at once: for people who mend programs, not for controls.
+
+use std::ops::Range;
+
+use crate::fault::Fault;
+use crate::run::{Progress, Run};
+use crate::syntax::{Address, Body, Item, ItemKind, Source, Value, parse};
+use crate::vocabulary::{Alarm, Label, Place, RuleSet, Setup};
+
+/// One fault that [`check`] found.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Diagnostic {
+    /// The alarm that the control would raise.
+    pub alarm: Alarm,
+    /// Its rules.
+    pub rules: RuleSet,
+    /// The block.
+    pub block: Place,
+    /// Byte span of the word that is at fault, or of the block.
+    pub span: Range<u32>,
+}
+
+impl Diagnostic {
+    fn new(fault: &Fault, block: Place) -> Self {
+        let block = fault.block.unwrap_or(block);
+        let span = fault.span.clone().unwrap_or(block.start..block.end);
+        Self { alarm: fault.alarm, rules: fault.rules, block, span }
+    }
+}
+
+/// Every fault of a program: the grammar faults of each block as far as the program reaches, in the order of the
+/// text, and the alarm of the run if it is none of them. A program that runs to its end has none.
+#[must_use]
+pub fn check(program: &[u8], setup: &Setup) -> Vec<Diagnostic> {
+    let Some(found) = alarm_of_run(program, setup) else { return Vec::new() };
+    let mut diagnostics = grammar_faults(program, setup);
+    if !diagnostics.iter().any(|known| known.block.start == found.block.start && known.alarm == found.alarm) {
+        diagnostics.push(found);
+    }
+    diagnostics
+}
+
+fn alarm_of_run(program: &[u8], setup: &Setup) -> Option<Diagnostic> {
+    let mut run = Run::new(program, setup);
+    let mut place = Place::default();
+    loop {
+        match run.block(&mut place, &mut Vec::new()) {
+            Ok(Progress::Going) => {}
+            Ok(Progress::Ended) => return None,
+            Err(fault) => return Some(Diagnostic::new(&fault, place)),
+        }
+    }
+}
+
+fn grammar_faults(program: &[u8], setup: &Setup) -> Vec<Diagnostic> {
+    let mut diagnostics = Vec::new();
+    let mut source = Source::new(program, setup.tape.code);
+    let mut program_name = Label::default();
+    loop {
+        let line = match source.next_line() {
+            Ok(Some(line)) => line,
+            Ok(None) => return diagnostics,
+            Err(fault) => {
+                diagnostics.push(Diagnostic::new(&fault, Place::default()));
+                continue;
+            }
+        };
+        let mut place = Place { program: program_name, ..line.place };
+        match parse(&line, setup, &mut place.sequence).map(|block| block.body) {
+            Ok(Body::ProgramName(name)) => program_name = name,
+            Ok(Body::Items(items)) if items.iter().any(ends_program) => return diagnostics,
+            Ok(_) => {}
+            Err(fault) => diagnostics.push(Diagnostic::new(&fault, place)),
+        }
+    }
+}
+
+/// M02 or M30 as it is usually written: what stands behind it is no part of the program.
+fn ends_program(item: &Item) -> bool {
+    match &item.kind {
+        ItemKind::Word(Address::Letter(b'M'), Value::Number(number)) => [2, 30].contains(&number.digits),
+        _ => false,
+    }
+}
