@@ -140,7 +140,10 @@ pub fn feed_path(
     (Length(crate::quantity::narrow(&length)), rules, readings)
 }
 
-/// A line at a feed to a program position.
+/// E100L-G01-01, E100L-G01-02: what a line of G01 cites.
+pub const LINEAR: RuleSet = RuleSet::of(&[G01_01, G01_02]);
+
+/// A line at a feed to a program position, for these rules.
 pub fn line(
     target: Amounts,
     axes: Axes,
@@ -154,11 +157,7 @@ pub fn line(
     let (motion, replaced) = go(target, axes, true, state)?;
     let (path, path_rules, path_readings) = feed_path(from, state.frame.machine, axes.c, state.setup);
     state.cut_last = true;
-    let rules = RuleSet::of(&[G01_01, G01_02])
-        .union(feed_rules)
-        .union(coordinate_rules(plan))
-        .union(path_rules)
-        .union(rules);
+    let rules = rules.union(feed_rules).union(coordinate_rules(plan)).union(path_rules);
     let event = Emission::new(Action::Linear { motion, feed, path }, rules)
         .readings(path_readings)
         .readings(coordinate_readings(plan, state.setup))

@@ -1,6 +1,8 @@
 //! G00 and G01 (E100L-G00-01 to -04, E100L-G01-01 to -04), with the C axis (E100L-CAX-02, -05 to -07).
 
-use super::element::{Axes, check_range, coordinate_readings, coordinate_rules, go, line, with_speed};
+use super::element::{
+    Axes, LINEAR, check_range, coordinate_readings, coordinate_rules, go, line, with_speed,
+};
 use super::target::{Ahead, angle_end, line_end, origin};
 use crate::emission::Emission;
 use crate::fault::{Outcome, fail};
@@ -51,7 +53,7 @@ pub fn straight(
         let event = Emission::new(Action::Rapid { motion }, rules).rule_if(replaced, LIM_01);
         with_speed(event.readings(coordinate_readings(plan, state.setup)), true, state)
     } else {
-        line(target, axes, rules, plan, state)?
+        line(target, axes, rules.union(LINEAR), plan, state)?
     };
     emissions.push(event.readings(readings));
     if plan.is_angle_only()

@@ -26,7 +26,7 @@ pub struct Line {
     pub characters: Vec<Character>,
     /// How many there are, without carriage returns.
     pub length: usize,
-    /// Whether it is a `%` alone.
+    /// Whether it holds nothing but `%`.
     is_tape_mark: bool,
     /// Line number and byte span.
     pub place: Place,
@@ -170,7 +170,7 @@ impl<'a> Source<'a> {
         }
         let place = Place { line: self.line, start, end, ..Place::default() };
         self.line += 1;
-        Line { characters, length, is_tape_mark: visible == 1 && marks, place }
+        Line { characters, length, is_tape_mark: visible > 0 && marks, place }
     }
 }
 
