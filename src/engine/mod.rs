@@ -1,22 +1,261 @@
-//! The fast interpreter.
+//! The fast interpreter of the E100L: the same semantics as the reference, written for speed.
+//!
+//! It shares with the reference only the vocabulary. A program is read block by block and never held as a
+//! whole; memory grows with the number of distinct sequence names alone. Coordinates are exact integers;
+//! what leaves the rationals is rounded for certain (see [`exact`]).
 
-use turnspec_oracle::vocabulary::{Ending, Setup, Sink};
+mod ahead;
+mod angle;
+mod arc;
+mod block;
+mod carry;
+mod chamfer;
+mod cite;
+pub mod codes;
+mod evaluate;
+mod exact;
+mod expression;
+mod fault;
+mod functions;
+mod items;
+mod miscellaneous;
+mod motion;
+mod names;
+mod number;
+mod parse;
+mod spindle;
+mod state;
+mod system;
+mod text;
+mod torque;
+mod variables;
+mod words;
+
+use turnspec_oracle::vocabulary::rule_ids::*;
+use turnspec_oracle::vocabulary::{
+    Action, Alarm, AlarmName, Ending, Event, Label, Place, Reading, ReadingSet, Readings, RuleSet, Setup,
+    Sink,
+};
+
+pub use exact::SlowPaths;
+
+use cite::CiteCache;
+use fault::Fault;
+use functions::Scales;
+use names::Names;
+use number::Units;
+use parse::{Options, Parser};
+use state::State;
+use text::Reader;
+use words::{Operand, Slot};
 
 /// A run of the engine, block by block.
 pub struct Interpreter<'a> {
-    _program: &'a [u8],
+    setup: &'a Setup,
+    units: Units,
+    scales: Scales,
+    options: Options,
+    known: Known,
+    reader: Reader<'a>,
+    names: Names,
+    program: Label,
+    /// Whether a block was read, so that a program name comes too late.
+    begun: bool,
+    /// Blocks that were read before their turn, at most two.
+    ahead: [Slot; 2],
+    ahead_count: usize,
+    /// The block in progress; taken out while it is carried out.
+    current: Option<Box<Slot>>,
+    /// Place of the block in progress.
+    place: Place,
+    /// Place of a fault that is not that of the block in progress.
+    fault_place: Option<Place>,
+    /// Whether the block in progress has a length word in inches.
+    inch_block: bool,
+    state: State,
+    ordinal: u64,
+    ending: Option<Ending>,
+    cites: CiteCache,
+    slow: SlowPaths,
+    buffer: Vec<u8>,
+    stack: Vec<Operand>,
+}
+
+/// The readings of the set-up as sets of one.
+struct Known {
+    inch: ReadingSet,
+    arc: ReadingSet,
+    leg: ReadingSet,
+    after_chamfer: ReadingSet,
+    feed_length: ReadingSet,
+    tool_offset: ReadingSet,
+    clamp: ReadingSet,
+}
+
+impl Known {
+    fn new(readings: &Readings) -> Self {
+        fn one(reading: impl Into<Reading>) -> ReadingSet {
+            ReadingSet::default().with(reading)
+        }
+        Self {
+            inch: one(readings.inch_conversion),
+            arc: one(readings.arc_one_coordinate),
+            leg: one(readings.chamfer_leg),
+            after_chamfer: one(readings.incremental_after_chamfer),
+            feed_length: one(readings.feed_length),
+            tool_offset: one(readings.tool_offset),
+            clamp: one(readings.speed_clamp),
+        }
+    }
 }
 
 impl<'a> Interpreter<'a> {
     /// Prepares a run of a program on a valid set-up.
     #[must_use]
-    pub fn new(program: &'a [u8], _setup: &'a Setup) -> Self {
-        Self { _program: program }
+    pub fn new(program: &'a [u8], setup: &'a Setup) -> Self {
+        Self {
+            setup,
+            units: Units::new(setup),
+            scales: Scales::new(setup),
+            options: Options::new(setup),
+            known: Known::new(&setup.readings),
+            reader: Reader::new(program, setup.tape.code),
+            names: Names::default(),
+            program: Label::default(),
+            begun: false,
+            ahead: [Slot::default(), Slot::default()],
+            ahead_count: 0,
+            current: None,
+            place: Place::default(),
+            fault_place: None,
+            inch_block: false,
+            state: State::new(setup),
+            ordinal: 0,
+            ending: None,
+            cites: CiteCache::default(),
+            slow: SlowPaths::default(),
+            buffer: Vec::new(),
+            stack: Vec::new(),
+        }
     }
 
     /// Carries out the next block; its events go to the sink. `Some` when the run has ended.
-    pub fn step(&mut self, _sink: &mut impl Sink) -> Option<Ending> {
-        Some(Ending::End)
+    pub fn step(&mut self, sink: &mut impl Sink) -> Option<Ending> {
+        if self.ending.is_some() {
+            return self.ending;
+        }
+        let mut slot = self.current.take().unwrap_or_default();
+        let result = self.next_block(&mut slot, sink);
+        self.current = Some(slot);
+        match result {
+            Ok(ending) => self.ending = ending,
+            Err(fault) => {
+                if let Some(place) = self.fault_place {
+                    self.place = place;
+                }
+                let alarm = Alarm::about(fault.name, fault.detail);
+                self.emit(sink, RuleSet::of(&[fault.rule]), Action::Alarm(alarm));
+                self.ending = Some(Ending::Alarm);
+            }
+        }
+        self.ending
+    }
+
+    /// How often exact integers had to decide because `f64` left a result in doubt.
+    #[must_use]
+    pub fn slow_paths(&self) -> SlowPaths {
+        self.slow
+    }
+
+    fn next_block(&mut self, slot: &mut Slot, sink: &mut impl Sink) -> Result<Option<Ending>, Fault> {
+        if self.ahead_count > 0 {
+            std::mem::swap(slot, &mut self.ahead[0]);
+            self.ahead.swap(0, 1);
+            self.ahead_count -= 1;
+            self.place = slot.place;
+            self.inch_block = slot.parsed.has_length && self.units.inch;
+        } else {
+            let found = self.read(slot);
+            self.place = slot.place;
+            if !found? {
+                return Fault::raise(AlarmName::NoProgramEnd, PROG_02);
+            }
+            self.inch_block = slot.parsed.has_length && self.units.inch;
+            self.evaluate(slot, sink)?;
+        }
+        self.carry_out(slot, sink)
+    }
+
+    /// Reads the next block that is not skipped; false at the end of the text. The place is set in any
+    /// case.
+    fn read(&mut self, slot: &mut Slot) -> Result<bool, Fault> {
+        let mut buffer = std::mem::take(&mut self.buffer);
+        let result = self.read_with(slot, &mut buffer);
+        self.buffer = buffer;
+        result
+    }
+
+    fn read_with(&mut self, slot: &mut Slot, buffer: &mut Vec<u8>) -> Result<bool, Fault> {
+        let offset = |offset: usize| u32::try_from(offset).unwrap_or(u32::MAX);
+        while let Some(lines) = self.reader.next_lines() {
+            slot.place = Place {
+                program: self.program,
+                sequence: Label::default(),
+                line: lines.line,
+                start: offset(lines.start),
+                end: offset(lines.end),
+            };
+            if self.reader.passes_over(lines)? {
+                continue;
+            }
+            let text = self.reader.characters(lines, buffer)?;
+            if lines.stray {
+                return Fault::raise(AlarmName::IllegalCharacter, FMT_08);
+            }
+            slot.parsed.clear();
+            let mut parser = Parser { text, at: 0, options: self.options, block: &mut slot.parsed };
+            let parsed = parser.parse();
+            slot.place.sequence = slot.parsed.sequence;
+            parsed?;
+            if let Some(name) = slot.parsed.program {
+                if self.begun {
+                    return Fault::raise(AlarmName::ProgramNameMisplaced, PROG_02);
+                }
+                self.begun = true;
+                self.program = name;
+                continue;
+            }
+            let sequence = slot.parsed.sequence;
+            let name = sequence.as_str().as_bytes().get(1..).unwrap_or_default();
+            if !name.is_empty() && !self.names.insert(name) {
+                return Fault::raise(AlarmName::SequenceNameDuplicate, SEQ_03);
+            }
+            let blank = slot.parsed.items.is_empty() && name.is_empty();
+            self.begun |= !blank || slot.parsed.skipped;
+            if !blank && !slot.parsed.skipped {
+                return Ok(true);
+            }
+        }
+        let end = offset(self.reader.length());
+        slot.place = Place {
+            program: self.program,
+            sequence: Label::default(),
+            line: self.reader.last_line(),
+            start: end,
+            end,
+        };
+        Ok(false)
+    }
+
+    /// Hands an event of the block in progress to the sink.
+    fn emit(&mut self, sink: &mut impl Sink, rules: RuleSet, action: Action) {
+        self.emit_with(sink, rules, ReadingSet::default(), action);
+    }
+
+    #[inline]
+    fn emit_with(&mut self, sink: &mut impl Sink, rules: RuleSet, readings: ReadingSet, action: Action) {
+        self.ordinal += 1;
+        sink.event(&Event { n: self.ordinal, block: self.place, rules, readings, action });
     }
 }
 
@@ -29,3 +268,6 @@ pub fn run(program: &[u8], setup: &Setup, sink: &mut impl Sink) -> Ending {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -1,1 +1,46 @@
-//! turnspec-generator.
+//! Generates part programs of the E100L, with set-ups, for differential and property tests.
+//!
+//! A program is grown block by block beside a forecast of the control's state, so that most programs run
+//! deep: arcs close, corners fit, feeds are given, coordinates stay within the limits. Some programs carry a
+//! fault of a chosen family, usually late. Everything follows from a stream of bytes: the same bytes, or the
+//! same seed, give the same case, and a fuzzer that changes the bytes changes the program.
+//!
+//! ```
+//! let case = turnspec_generator::case_from_seed(1);
+//! assert!(case.setup.validate().is_ok());
+//! ```
+
+mod arcs;
+mod bench;
+mod builder;
+mod case;
+mod chamfer;
+mod choices;
+mod codes;
+mod companions;
+mod environment;
+mod estimate;
+mod expression;
+mod faults;
+mod geometry;
+mod motion;
+mod number;
+mod oneshot;
+mod print;
+mod print_expression;
+mod program;
+mod setup;
+mod shrink;
+mod state;
+mod tape;
+mod unit;
+mod variables;
+mod words;
+
+pub use bench::{arcs_and_chamfers, expressions, straight_line};
+pub use case::{Case, case_from_seed};
+pub use expression::{Expression, Function, Operator, Variable};
+pub use number::Number;
+pub use program::{Block, Item, Line, Program, Value, Word};
+pub use shrink::shrink;
+pub use tape::{decode, encode};

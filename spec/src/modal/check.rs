@@ -99,16 +99,11 @@ fn stands_alone(words: &Words) -> Outcome<()> {
     if count == 1 && !words.assigns {
         return Ok(());
     }
-    for code in &words.m {
-        let rule = match code {
-            110 => MCODE_24,
-            193 => MCODE_36,
-            195 | 196 => MCODE_37,
-            _ => continue,
-        };
-        return fail(AlarmName::NotAlone, rule);
+    let alone = [(110, MCODE_24), (193, MCODE_36), (195, MCODE_37), (196, MCODE_37)];
+    match alone.iter().find(|(code, _)| words.m.contains(code)) {
+        Some((_, rule)) => fail(AlarmName::NotAlone, *rule),
+        None => Ok(()),
     }
-    Ok(())
 }
 
 /// E100L-DWELL-01.

@@ -98,7 +98,7 @@ fn primary(cursor: &mut Cursor, setup: &Setup) -> Outcome<Expression> {
             close_bracket(cursor)?;
             Ok(inner)
         }
-        Some(b'V') => Ok(Expression::Variable(Box::new(variable(cursor, setup)?))),
+        Some(b'V') if cursor.run() != "VSET" => Ok(Expression::Variable(Box::new(variable(cursor, setup)?))),
         Some(b'A'..=b'Z') => named(cursor, setup),
         _ => Err(cursor.unexpected()),
     }

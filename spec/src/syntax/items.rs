@@ -170,6 +170,9 @@ pub fn variable(cursor: &mut Cursor, setup: &Setup) -> Outcome<Variable> {
         return common_variable(name);
     }
     let Some(system) = system_variables::MODELLED.iter().find(|each| each.name == run) else {
+        if run == system_variables::UNIT_SYSTEM {
+            return Err(Fault::about(AlarmName::Unspecified, SVTAB_05, &run));
+        }
         let later = system_variables::LATER.contains(&run.as_str());
         return Err(if later {
             Fault::about(AlarmName::NotModelled, SVTAB_01, &run)

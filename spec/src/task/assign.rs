@@ -149,8 +149,7 @@ fn store(quantity: Quantity, number: usize, increments: i64, state: &mut State) 
         | Quantity::ActiveTool
         | Quantity::Restart
         | Quantity::Pi
-        | Quantity::FullTurn
-        | Quantity::UnitSystem => {}
+        | Quantity::FullTurn => {}
     }
     Value::Length(Length(amount))
 }

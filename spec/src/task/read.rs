@@ -4,7 +4,7 @@ use super::evaluate;
 use super::memory::{droop_index, of_pair};
 use super::number::Number;
 use crate::controls::e100l::system_variables::{Axis, Quantity, SystemVariable};
-use crate::fault::{Fault, Outcome, fail};
+use crate::fault::{Outcome, fail};
 use crate::frame::Amounts;
 use crate::quantity::{nearest_real, ratio, round_narrow, whole};
 use crate::state::State;
@@ -50,7 +50,6 @@ pub fn system_variable(
         // E100L-SVAR-12.
         Quantity::Pi => Number::Real(std::f64::consts::PI),
         Quantity::FullTurn => Number::Real(full_turn(system)),
-        Quantity::UnitSystem => return Err(Fault::about(AlarmName::Unspecified, SVTAB_05, "VUNIT")),
     })
 }
 

@@ -55,8 +55,6 @@ pub enum Quantity {
     Pi,
     /// 360 degrees in the unit of angle addresses.
     FullTurn,
-    /// The unit system, whose coding the manual does not give.
-    UnitSystem,
 }
 
 /// A modelled system variable.
@@ -155,8 +153,10 @@ pub const MODELLED: &[SystemVariable] = &[
     read_only("VRSTT", Quantity::Restart),
     read_only("VPAI", Quantity::Pi),
     read_only("VRUND", Quantity::FullTurn),
-    read_only("VUNIT", Quantity::UnitSystem),
 ];
+
+/// E100L-SVTAB-05: the unit system, whose coding the manual does not give.
+pub const UNIT_SYSTEM: &str = "VUNIT";
 
 /// The names of the table, and of the input and output variables, that have no data in a set-up yet.
 pub const LATER: &[&str] = &[

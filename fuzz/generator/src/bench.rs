@@ -1,0 +1,83 @@
+//! Deterministic programs for benchmarks: they run without an alarm on the default set-up.
+
+use std::fmt::Write;
+
+/// A program of rapids and lines, of `blocks` blocks (at least 2) with M02.
+#[must_use]
+pub fn straight_line(blocks: usize) -> Vec<u8> {
+    let mut numbers = Numbers(1);
+    let mut text = String::from("G95 G01 F0.25\n");
+    for place in 2..blocks {
+        let (x, z) = (numbers.length(300_000), numbers.length(200_000));
+        let code = if place % 4 == 0 { "G00 " } else { "G01 " };
+        let _ = match place % 3 {
+            0 => writeln!(text, "{code}X{x}"),
+            1 => writeln!(text, "{code}X{x} Z{z}"),
+            _ => writeln!(text, "{code}Z{z} F0.{}", 1 + place % 9),
+        };
+    }
+    text.push_str("M02\n");
+    text.into_bytes()
+}
+
+/// A program of arcs by centre and by radius, of chamfers and roundings, of `blocks` blocks (at least 2).
+#[must_use]
+pub fn arcs_and_chamfers(blocks: usize) -> Vec<u8> {
+    const GROUP: &[&str] = &[
+        "G00 X100 Z50",
+        "G03 X120 Z40 K-10",
+        "G02 X140 Z30 I10",
+        "G01 Z20 X160",
+        "G03 X180 Z0 L30",
+        "G75 G01 Z-30 L2",
+        "G76 X220 Z-50 L3.5",
+        "G75 Z-80 A165 L1.25",
+        "X300 Z-100",
+    ];
+    let mut numbers = Numbers(2);
+    let mut text = String::from("G95 G01 F0.2\n");
+    let wanted = blocks.saturating_sub(2);
+    let group = GROUP.len() + 1;
+    for place in 0..wanted {
+        let complete = place / group < wanted / group;
+        let _ = match GROUP.get(place % group) {
+            Some(line) if complete => writeln!(text, "{line}"),
+            None if complete => writeln!(text, "G02 X{} Z-95 L{} CALRG", 301 + place % 7, 40 + place % 50),
+            _ => writeln!(text, "G01 X{} Z{}", numbers.length(90_000), numbers.length(40_000)),
+        };
+    }
+    text.push_str("M02\n");
+    text.into_bytes()
+}
+
+/// A program of assignments and of words with expressions, of `blocks` blocks (at least 2) with M02.
+#[must_use]
+pub fn expressions(blocks: usize) -> Vec<u8> {
+    let mut numbers = Numbers(3);
+    let mut text = String::from("V1=12.5 V2=30 G95 G01 F0.2\n");
+    for place in 2..blocks {
+        let value = numbers.length(90_000);
+        let _ = match place % 6 {
+            0 => writeln!(text, "V1=[{value}+V2]/2"),
+            1 => writeln!(text, "V2=ABS[{value}]*SIN[30]+MOD[{place},7]"),
+            2 => writeln!(text, "X=V1*2+{value} Z=-V2"),
+            3 => writeln!(text, "V3=SQRT[V1*V1+V2*V2] V4=ATAN2[V2,V1]"),
+            4 => writeln!(text, "X=V3*COS[V4] Z=ROUND[V3]-DFIX[V4]"),
+            _ => writeln!(text, "V5=[V1 GT V2]*10+[V3 LE 50] V6=FIX[V3] AND $0F"),
+        };
+    }
+    text.push_str("M02\n");
+    text.into_bytes()
+}
+
+/// A stream of pseudo-random lengths that never changes (a linear congruence of 64 bits).
+struct Numbers(u64);
+
+impl Numbers {
+    /// A length in mm with three decimals, below `most` thousandths.
+    fn length(&mut self, most: u64) -> String {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        let value = (self.0 >> 33) % most;
+        format!("{}.{:03}", value / 1_000, value % 1_000)
+    }
+}

@@ -1,0 +1,116 @@
+//! What an expression can read: common and system variables at the beginning of a block.
+
+use std::collections::BTreeMap;
+
+use turnspec_oracle::vocabulary::UnitSystem;
+
+use crate::choices::Choices;
+use crate::expression::{Expression, Variable};
+use crate::number::Number;
+use crate::unit::{Estimate, Units};
+
+/// The variables as an expression sees them.
+#[derive(Clone, Debug)]
+pub struct Environment {
+    /// Common variables that are not zero.
+    pub common: BTreeMap<u8, f64>,
+    /// System variables without suffix.
+    pub system: Vec<(&'static str, Estimate)>,
+    /// Tool offsets in nanometres, X and Z.
+    pub tool_offsets: BTreeMap<u8, [i64; 2]>,
+    /// Number of tool offsets.
+    pub offset_sets: u8,
+    /// Whether boolean operators and functions may be used.
+    pub user_task_2: bool,
+    /// By what the angles of functions exceed degrees.
+    pub function_angle: f64,
+    /// Parts of 1 at which DROUND, DFIX and DFUP work.
+    pub decimal_scale: f64,
+    units: Units,
+}
+
+impl Environment {
+    /// An environment in which nothing is known yet.
+    #[must_use]
+    pub fn new(units: Units, offset_sets: u8, user_task_2: bool) -> Self {
+        let decimal_scale = match units.system {
+            UnitSystem::Millimetre => 1_000.0,
+            UnitSystem::Inch => 10_000.0,
+            _ => 1.0,
+        };
+        Self {
+            common: BTreeMap::new(),
+            system: Vec::new(),
+            tool_offsets: BTreeMap::new(),
+            offset_sets,
+            user_task_2,
+            function_angle: units.function_angle(),
+            decimal_scale,
+            units,
+        }
+    }
+
+    /// A length in nanometres as a system variable shows it (E100L-TYPE-13).
+    #[must_use]
+    pub fn shown_length(units: Units, length: i64) -> Estimate {
+        match units.system {
+            UnitSystem::Micrometre => whole(length, 1_000),
+            _ => Estimate::Real(length as f64 / units.length_unit() as f64),
+        }
+    }
+
+    /// An angle in micro-degrees as a system variable shows it.
+    #[must_use]
+    pub fn shown_angle(units: Units, angle: i64) -> Estimate {
+        match units.angle_unit() {
+            1_000 => whole(angle, 1_000),
+            unit => Estimate::Real(angle as f64 / unit as f64),
+        }
+    }
+
+    /// The value of a variable; none when reading it raises an alarm or is not known.
+    #[must_use]
+    pub fn value(&self, variable: &Variable) -> Option<Estimate> {
+        match variable {
+            Variable::Common(number) => {
+                Some(Estimate::Real(self.common.get(number).copied().unwrap_or_default()))
+            }
+            Variable::System(name) => {
+                self.system.iter().find(|(known, _)| known == name).map(|(_, value)| *value)
+            }
+            Variable::Indexed(name, suffix) => {
+                let number = u8::try_from(suffix.estimate(self)?.to_f64().round() as i64).ok()?;
+                let axis = match *name {
+                    "VTOFX" => 0,
+                    "VTOFZ" => 1,
+                    _ => return None,
+                };
+                let amounts = self.tool_offsets.get(&number).copied().unwrap_or_default();
+                (number <= self.offset_sets).then(|| Self::shown_length(self.units, amounts[axis]))
+            }
+        }
+    }
+
+    /// A common variable, usually one that was assigned.
+    pub fn some_common(&self, choices: &mut Choices<'_, '_>) -> Variable {
+        let known: Vec<u8> = self.common.keys().copied().collect();
+        if known.is_empty() || choices.chance(15) {
+            return Variable::Common(choices.within(1, 200) as u8);
+        }
+        Variable::Common(choices.pick(&known))
+    }
+
+    /// A system variable whose value is known.
+    pub fn some_system(&self, choices: &mut Choices<'_, '_>) -> Variable {
+        if self.system.is_empty() || choices.chance(15) {
+            let number = choices.within(0, self.offset_sets.into());
+            let suffix = Expression::Constant(Number::whole(number));
+            return Variable::Indexed(choices.pick(&["VTOFX", "VTOFZ"]), Box::new(suffix));
+        }
+        Variable::System(self.system[choices.below(self.system.len())].0)
+    }
+}
+
+fn whole(value: i64, unit: i64) -> Estimate {
+    Estimate::Integer(i32::try_from((value as f64 / unit as f64).round() as i64).unwrap_or_default())
+}

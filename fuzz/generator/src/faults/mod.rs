@@ -1,0 +1,78 @@
+//! Faults: for every alarm that a program can raise, blocks that should raise it here.
+//!
+//! A fault returns false when the set-up or the state does not let it happen.
+
+mod motion;
+mod state;
+mod text;
+
+use turnspec_oracle::vocabulary::{AlarmName, Chamfering, Setup, TapeCode};
+
+use crate::builder::Builder;
+use crate::choices::Choices;
+use crate::setup;
+
+/// A fault is named by the alarm that it should raise.
+pub(crate) type Fault = AlarmName;
+
+/// A fault of any family; often one that only a set-up like this one lets happen.
+pub(crate) fn choose(choices: &mut Choices<'_, '_>, setup: &Setup) -> Fault {
+    let special = special(setup);
+    if !special.is_empty() && choices.chance(20) {
+        choices.pick(&special)
+    } else {
+        choices.pick(AlarmName::ALL)
+    }
+}
+
+/// The alarms that need something unusual of the set-up, where this one has it.
+fn special(setup: &Setup) -> Vec<Fault> {
+    let chamfering = setup.parameters.chamfering;
+    let list = [
+        (setup.tape.code != TapeCode::Ascii, Fault::ParityError),
+        (setup.options.user_task == 1, Fault::UserTaskLevel),
+        (!setup.inputs.turret_clamp_confirmed, Fault::TurretClamp),
+        (setup::is_over_time(setup), Fault::StmOver),
+        (setup.parameters.torque_limit_upper < 100, Fault::TorqueLimitRange),
+        (chamfering == Chamfering::Off, Fault::ChamferDisabled),
+        (chamfering == Chamfering::AnyAngle, Fault::ChamferCorner),
+        (chamfering == Chamfering::AnyAngle, Fault::AngleLookahead),
+        (chamfering == Chamfering::Basic, Fault::AngleUnderdetermined),
+    ];
+    list.into_iter().filter(|(unusual, _)| *unusual).map(|(_, fault)| fault).collect()
+}
+
+/// Whether it must be the first line of the program.
+pub(crate) fn is_first(fault: Fault) -> bool {
+    matches!(
+        fault,
+        Fault::HeaderMalformed
+            | Fault::ProgramNameMalformed
+            | Fault::ProgramNameReserved
+            | Fault::ProgramNameNotAlone
+    )
+}
+
+/// Whether it happens only near the beginning, before an F word was given or the C axis joined.
+pub(crate) fn is_early(fault: Fault) -> bool {
+    fault == Fault::NoFeed
+}
+
+impl Builder<'_, '_, '_> {
+    /// Adds the blocks of a fault.
+    pub(crate) fn fault(&mut self, fault: Fault) -> bool {
+        self.begin();
+        self.motion_fault(fault) || self.state_fault(fault) || self.text_fault(fault)
+    }
+
+    /// Adds one block of text a line; false when the tape code lacks a character of them.
+    pub(crate) fn blocks(&mut self, lines: &[&str]) -> bool {
+        if self.state.is_eia() && lines.iter().any(|line| line.contains(['=', '[', ']', '$', '*', ':'])) {
+            return false;
+        }
+        for line in lines {
+            self.raw(line.as_bytes());
+        }
+        true
+    }
+}

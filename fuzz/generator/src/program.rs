@@ -1,0 +1,88 @@
+//! The structure of a part program: lines, blocks, words.
+
+use crate::expression::{Expression, Variable};
+use crate::number::Number;
+
+/// A part program.
+#[derive(Clone, Default, Debug)]
+pub struct Program {
+    /// Its lines, in order. A block is one line here; the printer may break it.
+    pub lines: Vec<Line>,
+}
+
+/// A line of the text, or several that make one block.
+#[derive(Clone, Debug)]
+pub enum Line {
+    /// Text that is printed as it stands: file header, program name, `%`, an empty line, a fault.
+    Raw(Vec<u8>),
+    /// A block.
+    Block(Block),
+}
+
+/// A block of words.
+#[derive(Clone, Default, Debug)]
+pub struct Block {
+    /// Whether it carries the block delete mark.
+    pub delete: bool,
+    /// Its sequence name, without the `N`.
+    pub sequence: Option<String>,
+    /// Its items in written order.
+    pub items: Vec<Item>,
+}
+
+/// What stands in a block.
+#[derive(Clone, Debug)]
+pub enum Item {
+    /// A word.
+    Word(Word),
+    /// An assignment to a variable.
+    Assignment(Variable, Expression),
+    /// `CALRG` (E100L-CIRC-18).
+    Calrg,
+    /// Text that is printed as it stands.
+    Raw(&'static str),
+}
+
+/// An address and its value.
+#[derive(Clone, Debug)]
+pub struct Word {
+    /// One letter, or two for an extended address.
+    pub address: &'static str,
+    /// Its value.
+    pub value: Value,
+}
+
+/// The value of a word.
+#[derive(Clone, Debug)]
+pub enum Value {
+    /// A plain number.
+    Plain(Number),
+    /// An expression after an equal sign.
+    Expression(Expression),
+}
+
+impl Item {
+    /// A word with a plain number.
+    #[must_use]
+    pub fn plain(address: &'static str, number: Number) -> Self {
+        Self::Word(Word { address, value: Value::Plain(number) })
+    }
+
+    /// A word with a whole number.
+    #[must_use]
+    pub fn whole(address: &'static str, value: i64) -> Self {
+        Self::plain(address, Number::whole(value))
+    }
+
+    /// A G word.
+    #[must_use]
+    pub fn g(code: i64) -> Self {
+        Self::whole("G", code)
+    }
+
+    /// An M word.
+    #[must_use]
+    pub fn m(code: i64) -> Self {
+        Self::whole("M", code)
+    }
+}

@@ -1,0 +1,84 @@
+//! What look-ahead sees (execution, section 5): the next block, read and evaluated before its turn.
+
+use turnspec_oracle::vocabulary::rule_ids::*;
+use turnspec_oracle::vocabulary::{AlarmName, Place, Sink};
+
+use super::Interpreter;
+use super::fault::Fault;
+use super::words::{Address, Slot, Words};
+
+/// What a block needs from the next one.
+#[derive(Clone, Copy, Debug)]
+pub struct Need {
+    /// Whether the block cuts a corner.
+    pub chamfer: bool,
+    /// Whether A is its only coordinate.
+    pub only_angle: bool,
+    /// Its place.
+    pub place: Place,
+}
+
+const ALLOWED: u32 = Address::set(&[Address::X, Address::Z, Address::A, Address::L, Address::F, Address::S]);
+const CORNER: u32 = Address::set(&[Address::X, Address::Z, Address::A]);
+
+impl Interpreter<'_> {
+    /// Makes the next block (0) or the one after it (1) ready, in a motion mode.
+    pub(super) fn look_ahead(
+        &mut self,
+        depth: usize,
+        need: Need,
+        motion: u16,
+        sink: &mut impl Sink,
+    ) -> Result<(), Fault> {
+        if self.ahead_count > depth {
+            return Ok(());
+        }
+        let Some(slot) = self.ahead.get_mut(depth) else { return Ok(()) };
+        let mut slot = std::mem::take(slot);
+        let result = self.prepare(&mut slot, need, motion, sink);
+        self.ahead[depth] = slot;
+        self.ahead_count = depth + 1;
+        result
+    }
+
+    fn prepare(
+        &mut self,
+        slot: &mut Slot,
+        need: Need,
+        motion: u16,
+        sink: &mut impl Sink,
+    ) -> Result<(), Fault> {
+        let rule = if need.chamfer { ANG_05 } else { ANG_06 };
+        let unfit = Fault::new(AlarmName::AngleLookahead, rule);
+        let found = self.read(slot);
+        self.fault_place = Some(slot.place);
+        let found = found?;
+        if !found || slot.parsed.has_assignment {
+            self.fault_place = Some(need.place);
+            return Err(unfit);
+        }
+        self.evaluate(slot, sink)?;
+        let words = &slot.words;
+        let plan = self.check(&slot.parsed, words, motion, need.only_angle)?;
+        self.fault_place = Some(need.place);
+        if need.chamfer && plan.motion != 1 {
+            return Fault::raise(AlarmName::ChamferCorner, ANG_07);
+        }
+        if plan.motion > 1 || !is_fit(words, need) {
+            return Err(unfit);
+        }
+        self.fault_place = None;
+        Ok(())
+    }
+}
+
+/// Whether a block holds what a corner needs and nothing that disturbs it.
+fn is_fit(words: &Words, need: Need) -> bool {
+    let codes = words.g_codes().iter().all(|code| match code {
+        1 | 75 | 76 | 90 | 91 | 94 | 95 => true,
+        0 => !need.chamfer,
+        _ => false,
+    });
+    let complete = words.present() & CORNER == CORNER;
+    codes && words.present() & !ALLOWED == 0 && words.has_any(CORNER) && (complete || !need.only_angle)
+}

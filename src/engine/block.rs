@@ -1,0 +1,275 @@
+//! The checks of a block before anything of it is carried out (execution, section 5).
+
+use turnspec_oracle::vocabulary::rule_ids::*;
+use turnspec_oracle::vocabulary::{AlarmName, Chamfering, Label};
+
+use super::Interpreter;
+use super::fault::Fault;
+use super::words::{Address, Parsed, Words};
+
+/// What a block does besides its modal codes.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum OneShot {
+    None,
+    Dwell,
+    TorqueSkip,
+    TorqueOff,
+    TorqueLimit,
+    ZeroShift,
+    Chamfer,
+    Rounding,
+}
+
+impl OneShot {
+    fn of(words: &Words) -> Self {
+        let code = words.g_codes().iter().find(|code| matches!(**code, 4 | 22 | 28 | 29 | 50 | 75 | 76));
+        match code {
+            Some(4) => Self::Dwell,
+            Some(22) => Self::TorqueSkip,
+            Some(28) => Self::TorqueOff,
+            Some(29) => Self::TorqueLimit,
+            Some(50) => Self::ZeroShift,
+            Some(75) => Self::Chamfer,
+            Some(76) => Self::Rounding,
+            _ => Self::None,
+        }
+    }
+
+    /// Whether the block cuts a corner.
+    pub fn is_chamfer(self) -> bool {
+        matches!(self, Self::Chamfer | Self::Rounding)
+    }
+}
+
+/// A checked block.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Plan {
+    pub one_shot: OneShot,
+    /// The motion mode in force, G00 to G03.
+    pub motion: u16,
+    /// Whether the block moves.
+    pub moves: bool,
+    /// Whether A is its only coordinate.
+    pub only_angle: bool,
+}
+
+const AXES: u32 = Address::set(&[Address::X, Address::Z, Address::C, Address::W, Address::A, Address::QA]);
+const ARC: u32 = Address::set(&[Address::I, Address::K, Address::L, Address::Calrg]);
+const ALWAYS: u32 = Address::set(&[Address::F, Address::S, Address::T, Address::SB, Address::SA]);
+const ARC_TAKES: u32 =
+    Address::set(&[Address::X, Address::Z, Address::I, Address::K, Address::L, Address::Calrg]);
+const CHAMFER_TAKES: u32 = Address::set(&[Address::X, Address::Z, Address::A, Address::L]);
+const SKIP_TAKES: u32 =
+    Address::set(&[Address::Z, Address::W, Address::D, Address::L, Address::PZ, Address::PW]);
+const LIMIT_TAKES: u32 = Address::set(&[Address::PZ, Address::PW]);
+const SHIFT_TAKES: u32 = Address::set(&[Address::X, Address::Z, Address::C, Address::W]);
+
+impl Interpreter<'_> {
+    /// Checks a block that follows a motion mode, and tells what it will do.
+    pub(super) fn check(
+        &self,
+        parsed: &Parsed,
+        words: &Words,
+        motion_before: u16,
+        after_angle: bool,
+    ) -> Result<Plan, Fault> {
+        let motion = words.g_codes().iter().copied().find(|code| *code <= 3).unwrap_or(motion_before);
+        let one_shot = OneShot::of(words);
+        check_alone(parsed, words)?;
+        let speed_mode = words.has_g(96) || words.has_g(97);
+        if speed_mode && (!words.has(Address::S) || one_shot == OneShot::ZeroShift) {
+            return Fault::raise(AlarmName::CuttingSpeedMissing, CSS_03);
+        }
+        self.check_one_shot(words, one_shot, motion, after_angle)?;
+        let arc = motion >= 2;
+        let moving_words = if arc { AXES | ARC } else { AXES };
+        let free = one_shot == OneShot::None || one_shot.is_chamfer();
+        let moves = words.has_any(moving_words) && (free || one_shot == OneShot::TorqueSkip);
+        if free && moves {
+            if arc {
+                check_arc(words)?;
+            } else {
+                self.check_line(words, after_angle)?;
+            }
+            if words.has(Address::W) && !self.setup.options.w_axis {
+                return Fault::raise(AlarmName::AxisMissing, AXIS_01);
+            }
+        }
+        check_functions(words, one_shot, arc)?;
+        let coordinate = words.has(Address::X) || words.has(Address::Z);
+        let only_angle = free && !arc && words.has(Address::A) && !coordinate;
+        Ok(Plan { one_shot, motion, moves, only_angle })
+    }
+
+    fn check_one_shot(
+        &self,
+        words: &Words,
+        one_shot: OneShot,
+        motion: u16,
+        after_angle: bool,
+    ) -> Result<(), Fault> {
+        let missing = |rule| Fault::raise(AlarmName::WordMissing, rule);
+        let w_axis = self.setup.options.w_axis;
+        match one_shot {
+            OneShot::None | OneShot::TorqueOff => Ok(()),
+            OneShot::Dwell if !words.has(Address::F) => missing(DWELL_01),
+            OneShot::Dwell => Ok(()),
+            OneShot::ZeroShift => {
+                let axes = words.has_any(SHIFT_TAKES);
+                if !axes && !words.has(Address::S) {
+                    return missing(G50_01);
+                }
+                if words.has(Address::W) && !w_axis {
+                    return Fault::raise(AlarmName::AxisMissing, AXIS_01);
+                }
+                if axes && words.get(Address::T).is_some_and(|tool| tool % 100 != 0) {
+                    return Fault::raise(AlarmName::OffsetWithG50, G50_06);
+                }
+                Ok(())
+            }
+            OneShot::TorqueLimit => {
+                if !words.has_any(LIMIT_TAKES) {
+                    return missing(TRQ_01);
+                }
+                if words.has(Address::PW) && !w_axis {
+                    return Fault::raise(AlarmName::AxisMissing, TRQ_01);
+                }
+                let most = i64::from(self.setup.parameters.torque_limit_upper);
+                if [Address::PZ, Address::PW].iter().any(|word| words.get(*word) > Some(most)) {
+                    return Fault::raise(AlarmName::TorqueLimitRange, TRQ_01);
+                }
+                Ok(())
+            }
+            OneShot::TorqueSkip => {
+                let (z, w) = (words.has(Address::Z), words.has(Address::W));
+                if z == w {
+                    return missing(TRQ_03);
+                }
+                if w && !w_axis {
+                    return Fault::raise(AlarmName::AxisMissing, TRQ_03);
+                }
+                if words.has(Address::PZ) != z || words.has(Address::PW) != w {
+                    return missing(TRQ_03);
+                }
+                let Some(beyond) = words.get(Address::L).filter(|_| words.has(Address::D)) else {
+                    return missing(TRQ_03);
+                };
+                if beyond < 0 {
+                    return Fault::raise(AlarmName::AddressRange, ADDR_01);
+                }
+                Ok(())
+            }
+            OneShot::Chamfer | OneShot::Rounding => self.check_chamfer(words, one_shot, motion, after_angle),
+        }
+    }
+
+    fn check_chamfer(
+        &self,
+        words: &Words,
+        one_shot: OneShot,
+        motion: u16,
+        after_angle: bool,
+    ) -> Result<(), Fault> {
+        let (x, z, a) = (words.has(Address::X), words.has(Address::Z), words.has(Address::A));
+        if motion != 1 {
+            return Fault::raise(AlarmName::ChamferNotLinear, CHAM_05);
+        }
+        let chamfering = self.setup.parameters.chamfering;
+        if chamfering == Chamfering::Off {
+            return Fault::raise(AlarmName::ChamferDisabled, CHAM_01);
+        }
+        if words.get(Address::L).unwrap_or_default() == 0 {
+            let rule = if one_shot == OneShot::Chamfer { CHAM_02 } else { CHAM_10 };
+            return Fault::raise(AlarmName::WordMissing, rule);
+        }
+        if chamfering == Chamfering::Basic {
+            return if x == z || a { Fault::raise(AlarmName::ChamferAxes, CHAM_08) } else { Ok(()) };
+        }
+        if !(x || z || a) {
+            return Fault::raise(AlarmName::ChamferAxes, ANG_05);
+        }
+        if x && z && a && !after_angle {
+            return Fault::raise(AlarmName::AngleOverdetermined, DTAP_01);
+        }
+        Ok(())
+    }
+
+    fn check_line(&self, words: &Words, after_angle: bool) -> Result<(), Fault> {
+        if !words.has(Address::A) {
+            return Ok(());
+        }
+        let (x, z) = (words.has(Address::X), words.has(Address::Z));
+        if x && z && !after_angle {
+            return Fault::raise(AlarmName::AngleOverdetermined, DTAP_01);
+        }
+        if !x && !z && self.setup.parameters.chamfering != Chamfering::AnyAngle {
+            return Fault::raise(AlarmName::AngleUnderdetermined, DTAP_01);
+        }
+        if words.has_any(Address::set(&[Address::C, Address::QA, Address::W])) {
+            return Fault::raise(AlarmName::AngleOverdetermined, DTAP_01);
+        }
+        Ok(())
+    }
+}
+
+/// Some M codes stand alone in their block.
+fn check_alone(parsed: &Parsed, words: &Words) -> Result<(), Fault> {
+    if parsed.items.len() < 2 {
+        return Ok(());
+    }
+    let codes = [(110, MCODE_24), (193, MCODE_36), (195, MCODE_37), (196, MCODE_37)];
+    match codes.iter().find(|(code, _)| words.has_m(*code)) {
+        Some((_, rule)) => Fault::raise(AlarmName::NotAlone, *rule),
+        None => Ok(()),
+    }
+}
+
+fn check_arc(words: &Words) -> Result<(), Fault> {
+    let nothing = |address| words.get(address).unwrap_or_default() == 0;
+    let (x, z) = (words.has(Address::X), words.has(Address::Z));
+    if let Some(radius) = words.get(Address::L) {
+        if words.has(Address::I) || words.has(Address::K) {
+            return Fault::raise(AlarmName::ArcRadiusAndCentre, CIRC_15);
+        }
+        if radius <= 0 {
+            return Fault::raise(AlarmName::ArcRadiusNotPositive, CIRC_13);
+        }
+        return if x && z { Ok(()) } else { Fault::raise(AlarmName::ArcRadiusNeedsBoth, CIRC_14) };
+    }
+    if words.has(Address::Calrg) {
+        return Err(Fault::about(AlarmName::Unspecified, CIRC_18, Label::new("CALRG")));
+    }
+    if nothing(Address::I) && nothing(Address::K) {
+        return Fault::raise(AlarmName::ArcWithoutCentre, CIRC_06);
+    }
+    if x || z { Ok(()) } else { Err(full_circle()) }
+}
+
+/// An arc that ends where it starts.
+#[cold]
+pub fn full_circle() -> Fault {
+    Fault::about(AlarmName::Unspecified, CIRC_07, Label::new("circle"))
+}
+
+/// Every word needs a function that takes it.
+fn check_functions(words: &Words, one_shot: OneShot, arc: bool) -> Result<(), Fault> {
+    let takes = ALWAYS
+        | match one_shot {
+            OneShot::None if arc => ARC_TAKES,
+            OneShot::None => AXES,
+            OneShot::Dwell | OneShot::TorqueOff => 0,
+            OneShot::TorqueSkip => SKIP_TAKES,
+            OneShot::TorqueLimit => LIMIT_TAKES,
+            OneShot::ZeroShift => SHIFT_TAKES,
+            OneShot::Chamfer | OneShot::Rounding => CHAMFER_TAKES,
+        };
+    if words.present() & !takes == 0 {
+        return Ok(());
+    }
+    match words.order().iter().find(|address| address.bit() & takes == 0) {
+        Some(address) => {
+            Err(Fault::about(AlarmName::WordWithoutFunction, ADDR_01, Label::new(address.text())))
+        }
+        None => Ok(()),
+    }
+}

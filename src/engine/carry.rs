@@ -1,0 +1,193 @@
+//! Carrying a block out: what comes after what (execution, section 5).
+
+use turnspec_oracle::vocabulary::rule_ids::*;
+use turnspec_oracle::vocabulary::{Action, AlarmName, Duration, Ending, FrameCause, Label, RuleSet, Sink};
+
+use super::Interpreter;
+use super::block::{OneShot, Plan};
+use super::evaluate::code_label;
+use super::fault::Fault;
+use super::state::{C, StoredFeed, TURN, W, X, Z};
+use super::words::{Address, Slot, Words};
+
+impl Interpreter<'_> {
+    /// Carries out an evaluated block.
+    pub(super) fn carry_out(&mut self, slot: &Slot, sink: &mut impl Sink) -> Result<Option<Ending>, Fault> {
+        let Slot { parsed, words, .. } = slot;
+        let after_angle = self.state.angle_target.is_some();
+        let plan = self.check(parsed, words, self.state.motion, after_angle)?;
+        for code in words.g_codes() {
+            self.change_mode(*code, sink);
+        }
+        if words.has(Address::F) && plan.one_shot != OneShot::Dwell {
+            self.store_feed(words)?;
+        }
+        self.act_at_once(words, plan, sink)?;
+        self.speeds(words, plan, sink)?;
+        if let Some(tool) = words.get(Address::T) {
+            self.change_tool(tool, plan.moves, sink)?;
+        }
+        self.m_codes(words, plan, sink)?;
+        if plan.one_shot == OneShot::ZeroShift || words.has(Address::T) || parsed.has_assignment {
+            self.state.base = None;
+        }
+        match plan.one_shot {
+            OneShot::Dwell => self.dwell(words, sink)?,
+            OneShot::TorqueSkip => self.torque_skip(words, sink)?,
+            OneShot::Chamfer | OneShot::Rounding => self.chamfer(slot, plan, sink)?,
+            _ if plan.moves && plan.motion >= 2 => self.arc(words, plan.motion, sink)?,
+            _ if plan.moves => self.line(slot, plan, sink)?,
+            _ => {}
+        }
+        Ok(self.stop(words, sink))
+    }
+
+    /// A G code that changes its modal group.
+    fn change_mode(&mut self, code: u16, sink: &mut impl Sink) {
+        macro_rules! with {
+            ($rule:ident) => {
+                const { RuleSet::of(&[GCODE_02, $rule]) }
+            };
+        }
+        let state = &mut self.state;
+        let flag = |flag: &mut bool, on: bool| std::mem::replace(flag, on) != on;
+        let (group, previous, changed, rules) = match code {
+            0..=3 => {
+                let previous = std::mem::replace(&mut state.motion, code);
+                let rules = match code {
+                    0 => with!(G00_01),
+                    1 => with!(G01_01),
+                    _ => with!(CIRC_01),
+                };
+                ("motion", previous, previous != code, rules)
+            }
+            64 => ("droop", 65, flag(&mut state.droop_control, false), with!(DROOP_02)),
+            65 => ("droop", 64, flag(&mut state.droop_control, true), with!(DROOP_01)),
+            90 => ("dimension", 91, flag(&mut state.incremental, false), with!(ABS_01)),
+            91 => ("dimension", 90, flag(&mut state.incremental, true), with!(ABS_02)),
+            94 => ("feed_unit", 95, flag(&mut state.per_minute, true), with!(FEED_02)),
+            95 => ("feed_unit", 94, flag(&mut state.per_minute, false), with!(FEED_01)),
+            96 => ("cutting_speed", 97, flag(&mut state.constant_speed, true), with!(CSS_01)),
+            97 => ("cutting_speed", 96, flag(&mut state.constant_speed, false), with!(CSS_02)),
+            _ => return,
+        };
+        if changed {
+            self.emit_mode(sink, group, code, previous, rules);
+        }
+    }
+
+    fn emit_mode(&mut self, sink: &mut impl Sink, group: &str, code: u16, previous: u16, rules: RuleSet) {
+        let action = Action::Mode {
+            group: Label::new(group),
+            code: code_label(b'G', code),
+            previous: code_label(b'G', previous),
+        };
+        self.emit(sink, rules, action);
+    }
+
+    /// F: both readings are kept, the one in force is checked.
+    fn store_feed(&mut self, words: &Words) -> Result<(), Fault> {
+        let unit = self.units.feed[usize::from(!self.state.per_minute)];
+        let [least, most] = self.units.feeds;
+        if !words.feed.within(unit, least, most) {
+            return Fault::raise(AlarmName::AddressRange, ADDR_01);
+        }
+        let values = self.units.feed.map(|unit| words.feed.rounded(unit, 1));
+        self.state.feed = Some(StoredFeed { values, given: self.state.feed_unit() });
+        Ok(())
+    }
+
+    /// G50, G28 and G29.
+    fn act_at_once(&mut self, words: &Words, plan: Plan, sink: &mut impl Sink) -> Result<(), Fault> {
+        match plan.one_shot {
+            OneShot::ZeroShift => {
+                let axes = [(Address::X, X), (Address::Z, Z), (Address::C, C), (Address::W, W)];
+                let mut shifted = false;
+                for (address, axis) in axes {
+                    if let Some(word) = words.get(address) {
+                        let change = self.state.program(axis).saturating_sub(word);
+                        let shift = &mut self.state.zero_shift[axis];
+                        *shift = shift.saturating_add(change);
+                        if axis == C {
+                            // Whole turns are taken off toward zero.
+                            *shift %= TURN;
+                        }
+                        shifted = true;
+                    }
+                }
+                if shifted {
+                    const RULES: RuleSet = RuleSet::of(&[G50_01, G50_02, G50_03, G50_04]);
+                    self.emit_word_frame(sink, FrameCause::ZeroShift, RULES);
+                }
+                if let Some(speed) = words.get(Address::S) {
+                    self.state.clamp = Some(speed * 1000);
+                    self.emit_main_spindle(sink, const { RuleSet::of(&[SMAX_02]) }, false, self.state.clamp);
+                }
+            }
+            OneShot::TorqueOff => {
+                self.emit(sink, const { RuleSet::of(&[TRQ_02]) }, Action::Torque { z: None, w: None });
+                self.state.torque = [None; 2];
+            }
+            OneShot::TorqueLimit => {
+                let percent = |address| words.get(address).and_then(|value| u8::try_from(value).ok());
+                for (slot, address) in self.state.torque.iter_mut().zip([Address::PZ, Address::PW]) {
+                    *slot = percent(address).or(*slot);
+                }
+                let [z, w] = self.state.torque;
+                self.emit(sink, const { RuleSet::of(&[TRQ_01, TRQ_08]) }, Action::Torque { z, w });
+            }
+            _ => {}
+        }
+        Ok(())
+    }
+
+    /// G04: F is a time here.
+    fn dwell(&mut self, words: &Words, sink: &mut impl Sink) -> Result<(), Fault> {
+        let unit = self.units.time;
+        if !words.feed.within(unit, 10_000, 9_999_990_000) {
+            return Fault::raise(AlarmName::AddressRange, DWELL_02);
+        }
+        let time = Duration(words.feed.rounded(unit, 1));
+        self.emit(sink, const { RuleSet::of(&[DWELL_01, DWELL_02]) }, Action::Dwell { time });
+        Ok(())
+    }
+
+    /// M00, M01, M02 and M30.
+    fn stop(&mut self, words: &Words, sink: &mut impl Sink) -> Option<Ending> {
+        let code = words.m_codes().iter().copied().find(|code| matches!(code, 0 | 1 | 2 | 30))?;
+        match code {
+            0 => self.emit(sink, const { RuleSet::of(&[MCODE_02]) }, Action::Stop),
+            1 if self.setup.switches.optional_stop => {
+                self.emit(sink, const { RuleSet::of(&[MCODE_03]) }, Action::OptionalStop);
+            }
+            1 => {}
+            _ => {
+                self.reset(sink);
+                let code = code_label(b'M', code);
+                self.emit(sink, const { RuleSet::of(&[MCODE_04]) }, Action::End { code });
+                return Some(Ending::End);
+            }
+        }
+        None
+    }
+
+    /// Reset at the end of the program.
+    fn reset(&mut self, sink: &mut impl Sink) {
+        let state = &self.state;
+        let changes = [
+            (state.motion != 0, "motion", 0, state.motion, const { RuleSet::of(&[MCODE_04]) }),
+            (state.incremental, "dimension", 90, 91, const { RuleSet::of(&[MCODE_04, ABS_01]) }),
+            (state.per_minute, "feed_unit", 95, 94, const { RuleSet::of(&[MCODE_04, FEED_01]) }),
+            (state.constant_speed, "cutting_speed", 97, 96, const { RuleSet::of(&[MCODE_04]) }),
+            (state.droop_control, "droop", 64, 65, const { RuleSet::of(&[MCODE_04]) }),
+        ];
+        for (changed, group, code, previous, rules) in changes {
+            if changed {
+                self.emit_mode(sink, group, code, previous, rules);
+            }
+        }
+        if std::mem::take(&mut self.state.zero_shift) != [0; 4] {
+            self.emit_frame(sink, FrameCause::ZeroShift, const { RuleSet::of(&[G50_05, SVAR_02]) });
+        }
+    }
+}

@@ -1,0 +1,91 @@
+//! The rules that motion events cite, as bits, and their sets.
+
+use turnspec_oracle::vocabulary::{RuleId, RuleSet, rule_ids};
+
+/// A set of rules that motion events cite.
+#[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
+pub struct Cites(pub u64);
+
+impl Cites {
+    /// The union.
+    pub const fn and(self, other: Self) -> Self {
+        Self(self.0 | other.0)
+    }
+
+    /// The set, with another one under a condition.
+    pub const fn and_if(self, condition: bool, other: Self) -> Self {
+        if condition { self.and(other) } else { self }
+    }
+
+    /// As a rule set.
+    fn rules(self) -> RuleSet {
+        let mut rest = self.0;
+        let mut set = RuleSet::EMPTY;
+        while rest != 0 {
+            set = set.with(TABLE[rest.trailing_zeros() as usize]);
+            rest &= rest - 1;
+        }
+        set
+    }
+}
+
+macro_rules! cites {
+    ($($name:ident)*) => {
+        #[allow(non_camel_case_types, clippy::upper_case_acronyms)]
+        #[repr(u8)]
+        enum Bit { $($name),* }
+        /// The rules in the order of the bits, which is that of the catalogue.
+        const TABLE: &[RuleId] = &[$(rule_ids::$name),*];
+        $(
+            pub const $name: Cites = Cites(1 << Bit::$name as u8);
+        )*
+    };
+}
+
+cites! {
+    LIM_01 CFEED_01 CFEED_03 COORD_03 INCH_02 ABS_01 ABS_02 ABS_03 DIA_01 G00_01 G01_01 G01_02 G01_04
+    CIRC_01 CIRC_02 CIRC_03 CIRC_04 CIRC_05 CIRC_06 CIRC_08 CIRC_09 CIRC_10 CIRC_11 CIRC_12 CIRC_17 CIRC_18
+    CIRC_19 CHAM_03 CHAM_11 CHAM_12 CHAM_13 ANG_01 ANG_02 ANG_03 ANG_04 ANG_05 ANG_06 TRQ_03 TRQ_04 SMAX_01
+    FEED_01 FEED_02 FEED_03 CSS_01 CSS_04 CSS_05 CAX_05 CAX_06 DTAP_03 DTAP_05
+}
+
+/// Remembers the sets made last, since one program uses few of them.
+#[derive(Debug)]
+pub struct CiteCache {
+    entries: [(Cites, RuleSet); Self::SIZE],
+}
+
+impl CiteCache {
+    const SIZE: usize = 64;
+
+    /// The rule set of some citations.
+    #[inline]
+    pub fn rules(&mut self, cites: Cites) -> RuleSet {
+        let place = (cites.0.wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 58) as usize;
+        let entry = &mut self.entries[place];
+        if entry.0 != cites {
+            *entry = (cites, cites.rules());
+        }
+        entry.1
+    }
+}
+
+impl Default for CiteCache {
+    fn default() -> Self {
+        Self { entries: [(Cites(0), RuleSet::EMPTY); Self::SIZE] }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{ABS_01, CiteCache, DTAP_05, TABLE};
+    use turnspec_oracle::vocabulary::{RuleSet, rule_ids};
+
+    #[test]
+    fn bits_are_in_the_order_of_the_catalogue() {
+        assert!(TABLE.is_sorted());
+        assert!(TABLE.len() <= 64);
+        let expected = RuleSet::of(&[rule_ids::DTAP_05, rule_ids::ABS_01]);
+        assert_eq!(CiteCache::default().rules(ABS_01.and(DTAP_05)), expected);
+    }
+}

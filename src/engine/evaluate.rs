@@ -1,0 +1,272 @@
+//! Evaluating a block from left to right (execution, section 4): values, repetitions, ranges,
+//! assignments.
+
+use turnspec_oracle::vocabulary::rule_ids::*;
+use turnspec_oracle::vocabulary::{Action, AlarmName, InchConversion, Label, RuleId, RuleSet, Sink, Value};
+
+use super::Interpreter;
+use super::codes::{self, GGroup, Status};
+use super::fault::Fault;
+use super::functions;
+use super::number::{Number, Rounding};
+use super::words::{Address, Code, Function, Item, Operand, Operation, Parsed, Slot, Source, Words};
+
+/// A code as text, with at least two digits.
+pub fn code_label(letter: u8, code: u16) -> Label {
+    let mut label = Label::from_bytes(&[letter]);
+    let digit = |value: u16| b'0' + u8::try_from(value % 10).unwrap_or(0);
+    if code >= 100 {
+        label.push(digit(code / 100));
+    }
+    label.push(digit(code / 10));
+    label.push(digit(code));
+    label
+}
+
+impl Interpreter<'_> {
+    /// Evaluates the items of a block; its assignments are carried out at once.
+    pub(super) fn evaluate(&mut self, slot: &mut Slot, sink: &mut impl Sink) -> Result<(), Fault> {
+        let Slot { parsed, words, .. } = slot;
+        words.clear();
+        for item in &parsed.items {
+            match *item {
+                Item::Word(address, source) => {
+                    let number = match source {
+                        Source::Plain(number) => number,
+                        Source::Expression(code) => self.compute(parsed, code)?.number(),
+                    };
+                    self.word(words, address, number)?;
+                }
+                Item::Mnemonic => {
+                    words.meet(Address::Calrg);
+                }
+                Item::Common { number, value } => {
+                    let value = self.compute(parsed, value)?.real() + 0.0;
+                    if let Some(slot) = self.state.common.get_mut(usize::from(number)) {
+                        *slot = value;
+                    }
+                    const RULES: RuleSet = RuleSet::of(&[CVAR_04, TYPE_04]);
+                    let mut name = Label::new("V");
+                    push_number(&mut name, number.into());
+                    let action = Action::Variable { name, value: Value::Real(value) };
+                    self.emit(sink, RULES, action);
+                }
+                Item::System { variable, suffix, value } => {
+                    let suffix = match suffix {
+                        Some(code) => {
+                            let number = self.compute(parsed, code)?.number();
+                            Some(self.suffix(variable, number)?)
+                        }
+                        None => None,
+                    };
+                    let value = self.compute(parsed, value)?;
+                    self.assign(variable, suffix, value, sink)?;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Takes one word into the block.
+    fn word(&self, words: &mut Words, address: Address, number: Number) -> Result<(), Fault> {
+        match address {
+            Address::G => return self.g_word(words, number),
+            Address::M => return m_word(words, number),
+            _ => {}
+        }
+        if !words.meet(address) {
+            return Fault::raise(AlarmName::DuplicateAddress, FMT_06);
+        }
+        let value = match address {
+            Address::X | Address::Z | Address::I | Address::K | Address::L => self.length(number, true)?,
+            Address::W => self.length(number, self.setup.options.w_axis)?,
+            Address::D | Address::U | Address::H => self.length(number, false)?,
+            Address::C => self.angle(number, 359_999_000)?,
+            Address::A | Address::B => self.angle(number, 99_999_999_000)?,
+            Address::E => {
+                let unit = self.units.feed[1];
+                let most = self.units.feeds[1];
+                ranged(number, unit, -most, most, ADDR_01)?;
+                number.rounded(unit, 1)
+            }
+            Address::F => {
+                words.feed = number;
+                0
+            }
+            Address::S => whole(number, 0, 65_535, SPD_01)?,
+            Address::SB => whole(number, 0, 65_535, SB_01)?,
+            Address::QA => whole(number, 1, 1999, CAX_06)?,
+            Address::PZ | Address::PW => whole(number, 1, 100, TRQ_01)?,
+            Address::SA => {
+                ranged(number, 1000, 1, 20_000, CAX_08)?;
+                number.whole(1000, Rounding::HalfAway)
+            }
+            Address::T => self.tool_word(number)?,
+            Address::G | Address::M | Address::P | Address::Q | Address::Calrg => 0,
+        };
+        words.set(address, value);
+        Ok(())
+    }
+
+    /// A length in nanometres, rounded to its increment (E100L-INCH-02).
+    #[inline]
+    fn length(&self, number: Number, signed: bool) -> Result<i64, Fault> {
+        let units = &self.units;
+        ranged(number, units.length, if signed { -units.longest } else { 0 }, units.longest, ADDR_01)?;
+        let inch_increments = self.setup.readings.inch_conversion == InchConversion::InchIncrement;
+        let increment = if units.inch && inch_increments { 2540 } else { 1000 };
+        if units.inch && !number.is_real() {
+            return Ok(number.cut(units.length, increment));
+        }
+        Ok(number.rounded(units.length, increment))
+    }
+
+    fn angle(&self, number: Number, most: i64) -> Result<i64, Fault> {
+        ranged(number, self.units.angle, -most, most, ADDR_01)?;
+        Ok(number.rounded(self.units.angle, 1000))
+    }
+
+    /// A T word: nose radius number, tool number, offset number (E100L-TOOL-02).
+    fn tool_word(&self, number: Number) -> Result<i64, Fault> {
+        let options = &self.setup.options;
+        let most = if options.nose_radius_compensation { 999_999 } else { 9999 };
+        if !number.within(1, 0, most) {
+            return Fault::raise(AlarmName::ToolNumber, TOOL_01);
+        }
+        let value = number.whole(1, Rounding::HalfAway);
+        let sets = i64::from(options.offset_sets);
+        if value / 10_000 > sets || value % 100 > sets {
+            return Fault::raise(AlarmName::ToolNumber, TOOL_03);
+        }
+        Ok(value)
+    }
+
+    fn g_word(&self, words: &mut Words, number: Number) -> Result<(), Fault> {
+        let code = code_number(number, 999, ADDR_01)?;
+        let detail = || code_label(b'G', code);
+        let group = match codes::g_code(code) {
+            Status::Modelled => codes::g_group(code).unwrap_or(GGroup::OneShot),
+            Status::Unspecified => return Err(Fault::about(AlarmName::Unspecified, GTAB_01, detail())),
+            Status::NotModelled => return Err(Fault::about(AlarmName::NotModelled, GTAB_01, detail())),
+            Status::Unassigned => return Fault::raise(AlarmName::GCodeUnassigned, GTAB_01),
+        };
+        if words.has_g(code) {
+            return Fault::raise(AlarmName::GCodesConflict, GCODE_04);
+        }
+        if !words.add_g(code, group) {
+            return if group == GGroup::Dimension {
+                Fault::raise(AlarmName::AbsoluteAndIncremental, ABS_04)
+            } else {
+                Fault::raise(AlarmName::GCodesConflict, GCODE_04)
+            };
+        }
+        Ok(())
+    }
+
+    /// The value of an expression.
+    pub(super) fn compute(&mut self, parsed: &Parsed, code: Code) -> Result<Operand, Fault> {
+        let mut stack = std::mem::take(&mut self.stack);
+        stack.clear();
+        let operations = parsed.operations.get(usize::from(code.start)..usize::from(code.end));
+        let result = self.run_operations(operations.unwrap_or_default(), &mut stack);
+        self.stack = stack;
+        result
+    }
+
+    fn run_operations(
+        &mut self,
+        operations: &[Operation],
+        stack: &mut Vec<Operand>,
+    ) -> Result<Operand, Fault> {
+        const ZERO: Operand = Operand::Integer(0);
+        for operation in operations {
+            let mut pop = || stack.pop().unwrap_or(ZERO);
+            let result = match *operation {
+                Operation::Constant(value) => value,
+                Operation::Common(number) => {
+                    Operand::Real(self.state.common.get(usize::from(number)).copied().unwrap_or_default())
+                }
+                Operation::System(variable) => {
+                    let suffix = if variable.has_suffix() {
+                        Some(self.suffix(variable, pop().number())?)
+                    } else {
+                        None
+                    };
+                    self.read_variable(variable, suffix)?
+                }
+                Operation::Negate => functions::negate(pop())?,
+                Operation::Not => Operand::Integer(!functions::bits(pop())?),
+                Operation::Call(function @ (Function::Atan2 | Function::Mod)) => {
+                    let (b, a) = (pop(), pop());
+                    functions::call_two(function, a, b, &self.scales, &mut self.slow)?
+                }
+                Operation::Call(function) => functions::call(function, pop(), &self.scales, &mut self.slow)?,
+                Operation::NeedsBoolean => return Fault::raise(AlarmName::UserTaskLevel, BOOL_01),
+                Operation::NeedsFunction => return Fault::raise(AlarmName::UserTaskLevel, FUNC_20),
+                binary => {
+                    let (b, a) = (pop(), pop());
+                    match binary {
+                        Operation::Add => functions::add(a, b)?,
+                        Operation::Subtract => functions::subtract(a, b)?,
+                        Operation::Multiply => functions::multiply(a, b)?,
+                        Operation::Divide => functions::divide(a, b)?,
+                        Operation::Compare(comparison) => functions::compare(comparison, a, b),
+                        Operation::And => Operand::Integer(functions::bits(a)? & functions::bits(b)?),
+                        Operation::Or => Operand::Integer(functions::bits(a)? | functions::bits(b)?),
+                        _ => Operand::Integer(functions::bits(a)? ^ functions::bits(b)?),
+                    }
+                }
+            };
+            stack.push(result);
+        }
+        Ok(stack.pop().unwrap_or(ZERO))
+    }
+}
+
+/// Appends a whole number to a name.
+pub fn push_number(label: &mut Label, number: u32) {
+    if number >= 10 {
+        push_number(label, number / 10);
+    }
+    label.push(b'0' + u8::try_from(number % 10).unwrap_or(0));
+}
+
+/// An M word.
+fn m_word(words: &mut Words, number: Number) -> Result<(), Fault> {
+    if !words.has_room_for_m() {
+        return Fault::raise(AlarmName::TooManyM, FMT_06);
+    }
+    let code = code_number(number, 511, MCODE_01)?;
+    match codes::m_code(code) {
+        Status::Modelled => {}
+        Status::Unassigned => return Fault::raise(AlarmName::MCodeUnassigned, MTAB_01),
+        Status::NotModelled | Status::Unspecified => {
+            let rule = match code {
+                21 => MCODE_09,
+                25 => MCODE_11,
+                _ => MTAB_01,
+            };
+            return Err(Fault::about(AlarmName::NotModelled, rule, code_label(b'M', code)));
+        }
+    }
+    if !words.add_m(code, codes::m_group_number(code)) {
+        return Fault::raise(AlarmName::MCodesConflict, MCODE_01);
+    }
+    Ok(())
+}
+
+#[inline]
+fn ranged(number: Number, unit: i64, low: i64, high: i64, rule: RuleId) -> Result<(), Fault> {
+    if number.within(unit, low, high) { Ok(()) } else { Fault::raise(AlarmName::AddressRange, rule) }
+}
+
+/// The value of an address that takes whole numbers.
+fn whole(number: Number, low: i64, high: i64, rule: RuleId) -> Result<i64, Fault> {
+    ranged(number, 1, low, high, rule)?;
+    Ok(number.whole(1, Rounding::HalfAway))
+}
+
+fn code_number(number: Number, most: i64, rule: RuleId) -> Result<u16, Fault> {
+    let value = whole(number, 0, most, rule)?;
+    u16::try_from(value).map_err(|_| Fault::new(AlarmName::AddressRange, rule))
+}

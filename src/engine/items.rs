@@ -1,0 +1,326 @@
+//! The items of a block: words, assignments, mnemonics (execution, section 3, Items).
+
+use turnspec_oracle::vocabulary::rule_ids::*;
+use turnspec_oracle::vocabulary::{AlarmName, Label};
+
+use super::fault::Fault;
+use super::number::Number;
+use super::parse::{KEYWORDS, Parser, check_digits};
+use super::system::{Lookup, SystemVariable, lookup};
+use super::text::{Class, class};
+use super::words::{Address, Item, Source};
+
+/// Two-letter addresses that are not modelled.
+const OTHER_EXTENDED: [&[u8]; 23] = [
+    b"AA", b"AB", b"DA", b"DB", b"FA", b"FB", b"IA", b"IB", b"KA", b"KB", b"LA", b"LB", b"RA", b"RB", b"TA",
+    b"TB", b"UA", b"UB", b"WA", b"WB", b"XA", b"XB", b"ZA",
+];
+const LAST_EXTENDED: [&[u8]; 2] = [b"ZB", b"BC"];
+
+/// The modelled two-letter address of a name.
+fn extended(name: &[u8]) -> Option<Address> {
+    match name {
+        b"SB" => Some(Address::SB),
+        b"SA" => Some(Address::SA),
+        b"QA" => Some(Address::QA),
+        b"PZ" => Some(Address::PZ),
+        b"PW" => Some(Address::PW),
+        _ => None,
+    }
+}
+
+/// Whether a name is a two-letter address, modelled or not.
+pub fn is_extended(name: &[u8]) -> bool {
+    extended(name).is_some() || is_other_extended(name)
+}
+
+fn is_other_extended(name: &[u8]) -> bool {
+    OTHER_EXTENDED.contains(&name) || LAST_EXTENDED.contains(&name)
+}
+
+/// A plain number with what the G word needs to know of its writing.
+struct Plain {
+    number: Number,
+    written: u32,
+    signed: bool,
+}
+
+impl Parser<'_> {
+    /// An item that begins with a letter.
+    #[inline]
+    pub(super) fn item(&mut self, letter: u8) -> Result<(), Fault> {
+        let next = self.text.get(self.at + 1).map_or(Class::Illegal, |byte| class(*byte));
+        if next == Class::Letter || letter == b'V' {
+            return self.named_item();
+        }
+        self.at += 1;
+        let address = match letter {
+            b'A' => Address::A,
+            b'B' => Address::B,
+            b'C' => Address::C,
+            b'D' => Address::D,
+            b'E' => Address::E,
+            b'F' => Address::F,
+            b'G' => Address::G,
+            b'H' => Address::H,
+            b'I' => Address::I,
+            b'K' => Address::K,
+            b'L' => Address::L,
+            b'M' => Address::M,
+            b'P' => Address::P,
+            b'Q' => Address::Q,
+            b'S' => Address::S,
+            b'T' => Address::T,
+            b'U' => Address::U,
+            b'W' => Address::W,
+            b'X' => Address::X,
+            b'Z' => Address::Z,
+            b'N' => return Err(Fault::about(AlarmName::NotModelled, SEQ_01, Label::new("N"))),
+            b'O' => return Fault::raise(AlarmName::ProgramNameNotAlone, NAME_03),
+            _ => return Fault::raise(AlarmName::AddressUnknown, ADDR_01),
+        };
+        self.skip_ignored();
+        let source = match self.peek() {
+            Some(b'=') => {
+                self.at += 1;
+                self.value_after_equals(address)?
+            }
+            Some(b'0'..=b'9' | b'+' | b'-' | b'.') => {
+                let plain = self.plain_number(address)?;
+                self.checked_plain(address, &plain)?
+            }
+            Some(b'[' | b'$') => return Fault::raise(AlarmName::EqualSignMissing, FMT_02),
+            _ => return Fault::raise(AlarmName::NumberMalformed, FMT_01),
+        };
+        if matches!(address, Address::P | Address::Q) {
+            return Err(Fault::about(AlarmName::NotModelled, ADDR_01, Label::new(address.text())));
+        }
+        self.push_word(address, source);
+        Ok(())
+    }
+
+    fn push_word(&mut self, address: Address, source: Source) {
+        self.block.has_length |= address.is_length();
+        self.block.items.push(Item::Word(address, source));
+    }
+
+    /// The value after an equal sign: a plain number that stays alone, or an expression.
+    fn value_after_equals(&mut self, address: Address) -> Result<Source, Fault> {
+        let start = self.at;
+        self.skip_ignored();
+        let mut ahead = self.at;
+        if matches!(self.peek(), Some(b'+' | b'-')) {
+            ahead += 1;
+            while self.text.get(ahead).is_some_and(|byte| class(*byte) == Class::Ignored) {
+                ahead += 1;
+            }
+        }
+        if self.text.get(ahead).is_some_and(|byte| byte.is_ascii_digit() || *byte == b'.') {
+            let plain = self.plain_number(address);
+            let digits_fault = |fault: &Fault| fault.name == AlarmName::TooManyDigits;
+            if plain.as_ref().is_err_and(|fault| !digits_fault(fault)) || !self.operator_follows() {
+                let plain = plain?;
+                return self.checked_plain(address, &plain);
+            }
+            self.at = start;
+        }
+        self.expression().map(Source::Expression)
+    }
+
+    /// Whether a binary operator comes next, blanks aside.
+    fn operator_follows(&mut self) -> bool {
+        let start = self.at;
+        let blanks = self.skip_blanks();
+        let place = std::mem::replace(&mut self.at, start);
+        blanks.is_ok()
+            && match self.text.get(place) {
+                Some(b'+' | b'-' | b'*' | b'/') => true,
+                _ => super::expression::is_binary_word(self.run(place)),
+            }
+    }
+
+    /// A plain number; its first character is a sign, a digit or a point.
+    #[inline]
+    fn plain_number(&mut self, address: Address) -> Result<Plain, Fault> {
+        let negative = self.peek() == Some(b'-');
+        let signed = matches!(self.peek(), Some(b'+' | b'-'));
+        self.at += usize::from(signed);
+        let (mut digits, mut written, mut scale, mut point) = (0_i64, 0_u32, 0_u8, false);
+        while let Some(byte) = self.peek() {
+            match byte {
+                b'0'..=b'9' => {
+                    written += 1;
+                    if written <= 8 {
+                        digits = digits * 10 + i64::from(byte - b'0');
+                        scale += u8::from(point);
+                    }
+                }
+                b'.' if !point => point = true,
+                b'.' => return Fault::raise(AlarmName::NumberMalformed, FMT_01),
+                _ if class(byte) == Class::Ignored => {}
+                _ => break,
+            }
+            self.at += 1;
+        }
+        if written == 0 {
+            return Fault::raise(AlarmName::NumberMalformed, FMT_01);
+        }
+        check_digits(written, point, address == Address::F)?;
+        let digits = if negative { -digits } else { digits };
+        Ok(Plain { number: Number::Decimal { digits, scale, point }, written, signed })
+    }
+
+    /// A plain number as a value; that of a G word is short, whole and unsigned.
+    fn checked_plain(&self, address: Address, plain: &Plain) -> Result<Source, Fault> {
+        if address == Address::G && (plain.written > 3 || plain.number.is_real() || plain.signed) {
+            return Fault::raise(AlarmName::NumberMalformed, GCODE_01);
+        }
+        Ok(Source::Plain(plain.number))
+    }
+
+    /// An item that begins with two letters, or with V.
+    fn named_item(&mut self) -> Result<(), Fault> {
+        let name = self.run(self.at);
+        let length = name.len();
+        if name == b"CALRG" {
+            if self.block.has(|item| *item == Item::Mnemonic) {
+                return Fault::raise(AlarmName::DuplicateAddress, FMT_06);
+            }
+            self.at += length;
+            self.block.items.push(Item::Mnemonic);
+            return Ok(());
+        }
+        if name.first() == Some(&b'V') && !KEYWORDS.contains(&name) {
+            return self.assignment();
+        }
+        if let Some(address) = extended(name) {
+            self.at += length;
+            self.skip_ignored();
+            if self.peek() != Some(b'=') {
+                return Fault::raise(AlarmName::EqualSignMissing, FMT_03);
+            }
+            self.at += 1;
+            let source = self.value_after_equals(address)?;
+            self.push_word(address, source);
+            return Ok(());
+        }
+        Err(self.other_name(name))
+    }
+
+    /// Why a name that is no variable and no modelled address cannot stand as an item.
+    #[cold]
+    fn other_name(&self, name: &[u8]) -> Fault {
+        if is_other_extended(name) {
+            return Fault::about(AlarmName::NotModelled, FMT_03, Label::from_bytes(name));
+        }
+        if KEYWORDS.contains(&name) {
+            return Fault::new(AlarmName::StatementMisplaced, GCODE_03);
+        }
+        if super::expression::is_reserved(name) {
+            return Fault::new(AlarmName::Format, FMT_01);
+        }
+        match name.first() {
+            Some(b'N') => Fault::about(AlarmName::NotModelled, SEQ_01, Label::new("N")),
+            Some(b'O') => Fault::new(AlarmName::ProgramNameNotAlone, NAME_03),
+            _ => local_variable(name),
+        }
+    }
+
+    /// An assignment to a common or system variable.
+    fn assignment(&mut self) -> Result<(), Fault> {
+        let variable = self.variable()?;
+        let suffix = match variable {
+            Variable::System(variable) => self.suffix(variable)?,
+            Variable::Common(_) => None,
+        };
+        self.skip_blanks()?;
+        if self.peek() != Some(b'=') {
+            return Fault::raise(AlarmName::EqualSignMissing, FMT_02);
+        }
+        if let Variable::System(variable) = variable
+            && variable.is_read_only()
+        {
+            return Fault::raise(AlarmName::VariableReadOnly, SVTAB_01);
+        }
+        self.at += 1;
+        let value = self.expression()?;
+        self.block.has_assignment = true;
+        self.block.items.push(match variable {
+            Variable::Common(number) => Item::Common { number, value },
+            Variable::System(variable) => Item::System { variable, suffix, value },
+        });
+        Ok(())
+    }
+
+    /// The variable whose name stands here.
+    pub fn variable(&mut self) -> Result<Variable, Fault> {
+        let name = self.run(self.at);
+        let length = name.len();
+        let rest = name.get(1..).unwrap_or_default();
+        let variable = match rest.first() {
+            Some(b'0'..=b'9') if rest.iter().all(u8::is_ascii_digit) => {
+                let number = rest.iter().fold(0_u32, |value, byte| {
+                    value.saturating_mul(10).saturating_add(u32::from(byte - b'0'))
+                });
+                match u8::try_from(number) {
+                    Ok(number @ 1..=200) if rest.len() <= 3 => Variable::Common(number),
+                    _ => return Fault::raise(AlarmName::VariableNumber, CVAR_01),
+                }
+            }
+            Some(b'A'..=b'Z') => match lookup(name, self.options.w_axis) {
+                Lookup::Modelled(variable) => Variable::System(variable),
+                Lookup::Unspecified => {
+                    return Err(Fault::about(AlarmName::Unspecified, SVTAB_05, Label::new("VUNIT")));
+                }
+                Lookup::NotModelled => {
+                    return Err(Fault::about(AlarmName::NotModelled, SVTAB_01, Label::from_bytes(name)));
+                }
+                Lookup::Unknown => return Fault::raise(AlarmName::SystemVariableUnknown, SVAR_01),
+            },
+            _ => return Fault::raise(AlarmName::SystemVariableUnknown, SVAR_01),
+        };
+        self.at += length;
+        Ok(variable)
+    }
+
+    /// The suffix of a system variable, where the table has one.
+    pub fn suffix(&mut self, variable: SystemVariable) -> Result<Option<super::words::Code>, Fault> {
+        let start = self.at;
+        self.skip_blanks()?;
+        let bracket = self.peek() == Some(b'[');
+        if bracket != variable.has_suffix() {
+            return Fault::raise(AlarmName::VariableSuffix, SVTAB_01);
+        }
+        if !bracket {
+            self.at = start;
+            return Ok(None);
+        }
+        self.at += 1;
+        let code = self.expression()?;
+        self.close_bracket()?;
+        Ok(Some(code))
+    }
+
+    /// A closing bracket, blanks aside.
+    pub fn close_bracket(&mut self) -> Result<(), Fault> {
+        self.skip_blanks()?;
+        if self.peek() != Some(b']') {
+            return Fault::raise(AlarmName::BracketUnbalanced, AEXP_04);
+        }
+        self.at += 1;
+        Ok(())
+    }
+}
+
+/// A variable in a program.
+pub enum Variable {
+    Common(u8),
+    System(SystemVariable),
+}
+
+/// The name of a local variable, which is not modelled.
+#[cold]
+pub fn local_variable(name: &[u8]) -> Fault {
+    let name = name.get(..name.len().min(8)).unwrap_or_default();
+    Fault::about(AlarmName::NotModelled, AEXP_01, Label::from_bytes(name))
+}

@@ -1,0 +1,133 @@
+//! T and M words (execution, sections 5 and 8).
+
+use turnspec_oracle::vocabulary::rule_ids::*;
+use turnspec_oracle::vocabulary::{
+    Action, AlarmName, Duration, FrameCause, Label, RuleSet, Sink, SpindleState,
+};
+
+use super::Interpreter;
+use super::block::Plan;
+use super::codes;
+use super::evaluate::code_label;
+use super::fault::Fault;
+use super::spindle::answer;
+use super::words::Words;
+
+impl Interpreter<'_> {
+    /// T: turret, tool offset, nose radius.
+    pub(super) fn change_tool(&mut self, word: i64, moves: bool, sink: &mut impl Sink) -> Result<(), Fault> {
+        let field = |value: i64| u8::try_from(value % 100).unwrap_or(0);
+        let (nose, tool, offset) = (field(word / 10_000), field(word / 100), field(word));
+        let index = tool != 0 && tool != self.state.tool;
+        let mut rules = const { RuleSet::of(&[TOOL_02]) };
+        if moves {
+            rules = rules.with(TOOL_04);
+        }
+        if word <= 99 {
+            rules = rules.with(TOOL_05);
+        }
+        if index {
+            rules = rules.with(TOOL_06);
+            self.state.tool = tool;
+        }
+        let before = self.state.active_offset();
+        self.state.offset = offset;
+        self.emit(sink, rules, Action::Tool { tool, offset, nose, index });
+        self.check_time(self.setup.stm.t)?;
+        if before != self.state.active_offset() {
+            self.emit_word_frame(sink, FrameCause::ToolOffset, const { RuleSet::of(&[TOOL_04]) });
+        }
+        Ok(())
+    }
+
+    /// The time that a function takes, against the limit (E100L-STM-01).
+    pub(super) fn check_time(&self, time: Duration) -> Result<(), Fault> {
+        let check = &self.setup.stm;
+        if check.enabled && self.state.check_times && time > check.limit {
+            return Fault::raise(AlarmName::StmOver, STM_01);
+        }
+        Ok(())
+    }
+
+    /// The M codes that come before the motion.
+    pub(super) fn m_codes(&mut self, words: &Words, plan: Plan, sink: &mut impl Sink) -> Result<(), Fault> {
+        for &code in words.m_codes() {
+            if matches!(code, 0 | 1 | 2 | 30) {
+                continue;
+            }
+            let checked = self.state.check_times && code != 124;
+            self.m_code(code, words, plan, sink)?;
+            let stm = &self.setup.stm;
+            if checked && stm.enabled && stm.m > stm.limit {
+                return Fault::raise(AlarmName::StmOver, STM_01);
+            }
+        }
+        Ok(())
+    }
+
+    fn m_code(&mut self, code: u16, words: &Words, plan: Plan, sink: &mut impl Sink) -> Result<(), Fault> {
+        match code {
+            3 | 4 | 5 | 19 => {
+                let (state, rules) = match code {
+                    3 => (SpindleState::Clockwise, const { RuleSet::of(&[MCODE_05, SPD_04]) }),
+                    4 => (SpindleState::CounterClockwise, const { RuleSet::of(&[MCODE_05, SPD_04]) }),
+                    5 => (SpindleState::Stop, const { RuleSet::of(&[MCODE_05]) }),
+                    _ => (SpindleState::Orient, const { RuleSet::of(&[MCODE_08]) }),
+                };
+                self.state.spindle = state;
+                let (rules, with_motion) = answer(words, plan, rules);
+                self.emit_main_spindle(sink, rules, with_motion, None);
+            }
+            40..=44 => {
+                self.state.gear = code;
+                let (rules, with_motion) = answer(words, plan, const { RuleSet::of(&[MCODE_14, SPD_05]) });
+                self.emit_main_spindle(sink, rules, with_motion, None);
+            }
+            12..=14 => self.start_tool(code, sink)?,
+            240..=244 => {
+                self.state.tool_gear = code;
+                self.emit_tool_spindle(sink, const { RuleSet::of(&[MCODE_39, SB_04]) });
+            }
+            8 | 9 => self.emit(sink, const { RuleSet::of(&[MTAB_01]) }, Action::Coolant { on: code == 8 }),
+            203 => {
+                let rapid = words.has_g(0);
+                if rapid && self.state.last_motion_cut && !self.setup.inputs.turret_clamp_confirmed {
+                    return Fault::raise(AlarmName::TurretClamp, TUNC_02);
+                }
+                self.emit_aux(sink, code, RuleSet::of(&[if rapid { TUNC_01 } else { MTAB_01 }]));
+            }
+            _ => {
+                let state = &mut self.state;
+                match code {
+                    15 | 16 => state.c_negative = code == 16,
+                    109 | 110 => state.c_joined = code == 110,
+                    124 | 125 => state.check_times = code == 124,
+                    146 | 147 => state.c_clamped = code == 147,
+                    152 | 153 => state.tool_interlock_released = code == 153,
+                    _ => {}
+                }
+                self.emit_aux(sink, code, codes::m_rules(code));
+            }
+        }
+        Ok(())
+    }
+
+    /// M12, M13 and M14; the tool turns only while the C axis is joined, or released from that.
+    fn start_tool(&mut self, code: u16, sink: &mut impl Sink) -> Result<(), Fault> {
+        let joined = self.state.c_joined || self.state.tool_interlock_released;
+        let (state, rules) = match code {
+            12 => (SpindleState::Stop, const { RuleSet::of(&[MCODE_06]) }),
+            _ if !joined => return Fault::raise(AlarmName::MToolNotJoined, CAX_04),
+            13 => (SpindleState::Clockwise, const { RuleSet::of(&[MCODE_06, SB_03]) }),
+            _ => (SpindleState::CounterClockwise, const { RuleSet::of(&[MCODE_06, SB_03]) }),
+        };
+        self.state.tool_spindle = state;
+        self.emit_tool_spindle(sink, rules);
+        Ok(())
+    }
+
+    fn emit_aux(&mut self, sink: &mut impl Sink, code: u16, rules: RuleSet) {
+        let group = codes::m_group(code).map(Label::new).unwrap_or_default();
+        self.emit(sink, rules, Action::Aux { code: code_label(b'M', code), group });
+    }
+}

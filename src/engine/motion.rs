@@ -1,0 +1,259 @@
+//! Motion: one element from its target to its event (execution, section 5, Motion).
+
+use turnspec_oracle::vocabulary::rule_ids as rules;
+use turnspec_oracle::vocabulary::{
+    Action, AlarmName, Angle, Feed, FeedLength, FeedRate, FeedUnit, Length, Motion, Position, ReadingSet,
+    Sense, Sink, Speed, SpeedLimit,
+};
+
+use super::Interpreter;
+use super::cite::{self, Cites};
+use super::exact::root_over;
+use super::fault::Fault;
+use super::state::{Amounts, C, TURN, W, X, Z};
+use super::words::{Address, Words};
+
+/// The kind of an element.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Kind {
+    Rapid,
+    Linear,
+    /// A linear element of a torque skip at a feed of its own.
+    LinearAt(Feed),
+    /// With its centre in program coordinates.
+    Arc {
+        sense: Sense,
+        centre_x: i64,
+        centre_z: i64,
+    },
+}
+
+/// One motion element in program coordinates; axes without a target stay.
+#[derive(Clone, Copy, Debug)]
+pub struct Element {
+    pub kind: Kind,
+    pub x: Option<i64>,
+    pub z: Option<i64>,
+    pub w: Option<i64>,
+    /// C word and full turns.
+    pub c: Option<(Option<i64>, i64)>,
+    pub cites: Cites,
+    pub readings: ReadingSet,
+    /// Whether ranges and limits were applied already.
+    pub limited: bool,
+}
+
+/// A turn of the C axis: its travel and the machine coordinate it leads to.
+#[derive(Clone, Copy)]
+struct Turn {
+    travel: i64,
+    machine: i64,
+}
+
+impl Interpreter<'_> {
+    /// The rules that every motion of a block cites, feed aside.
+    pub(super) fn coordinate_cites(&self, words: &Words) -> Cites {
+        let incremental = self.state.incremental;
+        let x = words.has(Address::X);
+        let turns = words.has(Address::QA);
+        cite::COORD_03
+            .and(if incremental { cite::ABS_02 } else { cite::ABS_01 })
+            .and_if(x, cite::DIA_01)
+            .and_if(x && incremental, cite::ABS_03)
+            .and_if(turns || words.has(Address::C), cite::CAX_05)
+            .and_if(turns, cite::CAX_06)
+            .and_if(self.inch_block, cite::INCH_02)
+    }
+
+    /// The rules of the feed mode in force.
+    pub(super) fn feed_cites(&self) -> Cites {
+        let unit = self.state.feed_unit();
+        let mode = if unit == FeedUnit::PerMinute { cite::FEED_02 } else { cite::FEED_01 };
+        mode.and_if(self.state.feed.is_some_and(|feed| feed.given != unit), cite::FEED_03)
+    }
+
+    /// The rules of a linear element, path length aside.
+    pub(super) fn linear_cites(&self, words: &Words) -> Cites {
+        self.coordinate_cites(words).and(self.feed_cites()).and(cite::G01_01).and(cite::G01_02)
+    }
+
+    /// The feed in force (E100L-G01-03, E100L-FEED-03).
+    pub(super) fn feed(&self) -> Result<Feed, Fault> {
+        match self.state.feed {
+            Some(feed) => {
+                let value = feed.values[usize::from(!self.state.per_minute)];
+                let unit = self.state.feed_unit();
+                let [least, most] = self.units.feeds;
+                // Given in this mode it was tested with its word.
+                if feed.given != unit && !(least..=most).contains(&value) {
+                    return Fault::raise(AlarmName::AddressRange, rules::ADDR_01);
+                }
+                Ok(Feed { value: FeedRate(value), unit })
+            }
+            None => Fault::raise(AlarmName::NoFeed, rules::G01_03),
+        }
+    }
+
+    /// Carries out one element.
+    #[inline]
+    pub(super) fn perform(&mut self, element: Element, sink: &mut impl Sink) -> Result<(), Fault> {
+        let Element { kind, x, z, w, c, mut cites, mut readings, limited } = element;
+        if !limited {
+            for target in [x, z, w].into_iter().flatten() {
+                self.check_coordinate(target)?;
+            }
+        }
+        let turn = match c {
+            Some((target, turns)) => Some(self.turn(target, turns)?),
+            None => None,
+        };
+        let feed = match kind {
+            Kind::Rapid => None,
+            Kind::LinearAt(feed) => Some(feed),
+            Kind::Linear | Kind::Arc { .. } => Some(self.feed()?),
+        };
+        let start = self.state.machine;
+        let mut end = start;
+        let is_arc = matches!(kind, Kind::Arc { .. });
+        for (axis, target) in [(X, x), (Z, z), (W, w)] {
+            if let Some(target) = target {
+                let machine = target.saturating_add(self.state.frame(axis));
+                end[axis] = machine;
+                if !limited && self.limit(axis, &mut end[axis], is_arc)? {
+                    cites = cites.and(cite::LIM_01);
+                }
+            }
+        }
+        if let Some(turn) = turn {
+            end[C] = turn.machine;
+        }
+        self.state.machine = end;
+        self.state.last_motion_cut = feed.is_some();
+        let program_x = self.state.program(X);
+        let mut motion = Motion {
+            program: self.position(
+                program_x,
+                self.state.program(Z),
+                self.state.program(C),
+                self.state.program(W),
+            ),
+            machine: self.position(end[X], end[Z], end[C], end[W]),
+            c_travel: turn.map(|turn| Angle(turn.travel)),
+            speed: None,
+        };
+        if self.state.constant_speed {
+            let choice = self.spindle_speed(program_x);
+            motion.speed = Some(Speed(choice.value));
+            cites = cites.and(if feed.is_none() { cite::CSS_05 } else { cite::CSS_01 });
+            match choice.limit {
+                Some(SpeedLimit::Clamp) => {
+                    cites = cites.and(cite::SMAX_01);
+                    readings = readings.union(self.known.clamp);
+                }
+                Some(_) => cites = cites.and(cite::CSS_04),
+                None => {}
+            }
+        }
+        let action = match (kind, feed) {
+            (Kind::Arc { sense, centre_x, centre_z }, Some(feed)) => {
+                Action::Arc { motion, feed, sense, centre_x: Length(centre_x), centre_z: Length(centre_z) }
+            }
+            (_, Some(feed)) => {
+                let path = self.path(&start, &end, turn.map(|turn| turn.travel));
+                if turn.is_some() {
+                    cites = cites.and(cite::CFEED_01).and(cite::CFEED_03);
+                } else {
+                    cites = cites.and(cite::G01_04);
+                    readings = readings.union(self.known.feed_length);
+                }
+                Action::Linear { motion, feed, path: Length(path) }
+            }
+            (_, None) => Action::Rapid { motion },
+        };
+        if self.inch_block {
+            readings = readings.union(self.known.inch);
+        }
+        let rules = self.cites.rules(cites);
+        self.emit_with(sink, rules, readings, action);
+        Ok(())
+    }
+
+    fn position(&self, x: i64, z: i64, c: i64, w: i64) -> Position {
+        Position {
+            x: Length(x),
+            z: Length(z),
+            c: self.state.c_joined.then_some(Angle(c)),
+            w: self.setup.options.w_axis.then_some(Length(w)),
+        }
+    }
+
+    /// Applies the limits of an axis to a machine coordinate; true when it was replaced.
+    #[inline]
+    fn limit(&self, axis: usize, machine: &mut i64, is_arc: bool) -> Result<bool, Fault> {
+        if self.state.negative_limits[axis].is_some_and(|limit| *machine < limit) {
+            return Fault::raise(AlarmName::TravelLimitNegative, rules::LIM_02);
+        }
+        match self.state.positive_limits[axis] {
+            Some(limit) if *machine > limit => {
+                if is_arc {
+                    return Fault::raise(AlarmName::TravelLimitPositive, rules::LIM_01);
+                }
+                *machine = limit;
+                Ok(true)
+            }
+            _ => Ok(false),
+        }
+    }
+
+    /// The turn of the C axis to a program coordinate, with so many full turns more (E100L-CAX-05, -06).
+    fn turn(&self, target: Option<i64>, turns: i64) -> Result<Turn, Fault> {
+        if !self.state.c_joined {
+            return Fault::raise(AlarmName::CAxisNotJoined, rules::CAX_02);
+        }
+        if self.state.c_clamped {
+            return Fault::raise(AlarmName::CAxisClamped, rules::CAX_07);
+        }
+        let present = self.state.program(C);
+        let target = match target {
+            None => present,
+            Some(word) if self.state.incremental => (present + word).rem_euclid(TURN),
+            Some(word) => word.rem_euclid(TURN),
+        };
+        let travel = if self.state.c_negative {
+            -((present - target).rem_euclid(TURN)) - turns * TURN
+        } else {
+            (target - present).rem_euclid(TURN) + turns * TURN
+        };
+        let machine = target.saturating_add(self.state.frame(C)).rem_euclid(TURN);
+        Ok(Turn { travel, machine })
+    }
+
+    /// The length on which the feed is measured (E100L-G01-04, E100L-CFEED-03).
+    #[inline]
+    fn path(&self, start: &Amounts, end: &Amounts, turn: Option<i64>) -> i64 {
+        // No travel comes near 2^55 nanometres, 36 000 km; the bound keeps the squares in range.
+        let square = |axis: usize| {
+            let travel = u128::from(end[axis].abs_diff(start[axis]).min(1 << 55));
+            travel * travel
+        };
+        let along = square(Z) + square(W);
+        if let Some(travel) = turn {
+            // 500 mm a turn: 25/18 nm a micro-degree.
+            let travel = u128::from(travel.unsigned_abs());
+            return root_over(324 * (square(X) + along) + 625 * travel * travel, 18);
+        }
+        match self.setup.readings.feed_length {
+            FeedLength::Radius => root_over(square(X) + 4 * along, 2),
+            FeedLength::Diameter => root_over(square(X) + along, 1),
+        }
+    }
+
+    /// A program coordinate within the range of its address (E100L-ADDR-01).
+    #[inline]
+    pub(super) fn check_coordinate(&self, target: i64) -> Result<(), Fault> {
+        if target.unsigned_abs() > self.units.longest.unsigned_abs() {
+            return Fault::raise(AlarmName::CoordinateRange, rules::ADDR_01);
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,235 @@
+//! The grammar of a block, from left to right (execution, sections 2 and 3): the leftmost fault decides.
+
+use turnspec_oracle::vocabulary::rule_ids::*;
+use turnspec_oracle::vocabulary::{AlarmName, Label, Setup};
+
+use super::fault::Fault;
+use super::text::{Class, class};
+use super::words::{Operation, Parsed};
+
+/// What of the set-up the grammar depends on.
+#[derive(Clone, Copy, Debug)]
+pub struct Options {
+    block_delete: bool,
+    /// Whether W variables exist.
+    pub w_axis: bool,
+    /// Whether boolean operators and functions are refused when evaluated.
+    pub level_one: bool,
+}
+
+impl Options {
+    /// The options of a set-up.
+    pub fn new(setup: &Setup) -> Self {
+        Self {
+            block_delete: setup.switches.block_delete,
+            w_axis: setup.options.w_axis,
+            level_one: setup.options.user_task < 2,
+        }
+    }
+}
+
+/// Statements, which are not modelled.
+pub const KEYWORDS: [&[u8]; 14] = [
+    b"GOTO", b"IF", b"CALL", b"RTS", b"MODIN", b"MODOUT", b"READ", b"WRITE", b"GET", b"PUT", b"NOEX",
+    b"PSELECT", b"VSET", b"END",
+];
+
+/// A place in the characters of a block, and the block that comes of them.
+pub struct Parser<'t> {
+    pub text: &'t [u8],
+    pub at: usize,
+    pub options: Options,
+    pub block: &'t mut Parsed,
+}
+
+impl Parser<'_> {
+    /// The character at a place; none at the end of the block.
+    #[inline]
+    pub fn peek(&self) -> Option<u8> {
+        self.text.get(self.at).copied()
+    }
+
+    #[inline]
+    pub(super) fn peek_class(&self) -> Option<Class> {
+        self.peek().map(class)
+    }
+
+    /// Why nothing can begin with the character that stands here.
+    #[cold]
+    pub fn misplaced(&self) -> Fault {
+        match self.peek_class() {
+            Some(Class::Illegal) => Fault::new(AlarmName::IllegalCharacter, FMT_08),
+            Some(Class::Close) => Fault::new(AlarmName::IllegalCharacter, CMT_01),
+            Some(_) if self.peek() == Some(b'$') => Fault::new(AlarmName::IllegalCharacter, FMT_08),
+            _ => Fault::new(AlarmName::Format, FMT_01),
+        }
+    }
+
+    /// Skips ignored characters, TAB and comments.
+    #[inline]
+    pub fn skip_blanks(&mut self) -> Result<(), Fault> {
+        while let Some(class) = self.peek_class() {
+            match class {
+                Class::Ignored | Class::Tab => self.at += 1,
+                Class::Open => self.skip_comment()?,
+                _ => break,
+            }
+        }
+        Ok(())
+    }
+
+    fn skip_comment(&mut self) -> Result<(), Fault> {
+        let rest = self.text.get(self.at..).unwrap_or_default();
+        match memchr::memchr(b')', rest) {
+            Some(length) => {
+                self.at += length + 1;
+                Ok(())
+            }
+            None => Fault::raise(AlarmName::CommentUnclosed, CMT_01),
+        }
+    }
+
+    #[inline]
+    pub(super) fn skip_ignored(&mut self) {
+        while self.peek_class() == Some(Class::Ignored) {
+            self.at += 1;
+        }
+    }
+
+    /// The longest alphanumeric run from a place.
+    pub fn run(&self, start: usize) -> &[u8] {
+        let rest = self.text.get(start..).unwrap_or_default();
+        let alphanumeric = |byte: &&u8| matches!(class(**byte), Class::Letter | Class::Digit);
+        let length = rest.iter().take_while(alphanumeric).count();
+        rest.get(..length).unwrap_or_default()
+    }
+
+    /// Parses the whole block.
+    pub fn parse(&mut self) -> Result<(), Fault> {
+        self.skip_blanks()?;
+        if matches!(self.peek(), Some(b'O' | b':')) {
+            return self.program_name();
+        }
+        let mut slash = self.take_slash()?;
+        if self.peek() == Some(b'N') && self.run(self.at) != b"NOEX" {
+            self.sequence()?;
+            if !(slash && self.options.block_delete) {
+                self.skip_blanks()?;
+                if slash && self.peek() == Some(b'/') {
+                    return Fault::raise(AlarmName::SlashMisplaced, DEL_02);
+                }
+                slash |= self.take_slash()?;
+            }
+        }
+        if slash && self.options.block_delete {
+            self.block.skipped = true;
+            return Ok(());
+        }
+        if matches!(self.peek(), Some(b'O' | b':')) && (slash || !self.block.sequence.is_empty()) {
+            let rule = if slash { DEL_03 } else { NAME_03 };
+            return Fault::raise(AlarmName::ProgramNameNotAlone, rule);
+        }
+        let first = self.run(self.at);
+        if let Some(keyword) = KEYWORDS.iter().find(|keyword| **keyword == first) {
+            return Err(Fault::about(AlarmName::NotModelled, GCODE_03, Label::from_bytes(keyword)));
+        }
+        while let Some(byte) = self.peek() {
+            match class(byte) {
+                Class::Letter => self.item(byte)?,
+                Class::Ignored | Class::Tab | Class::Open => self.skip_blanks()?,
+                _ if byte == b'/' => return Fault::raise(AlarmName::SlashMisplaced, DEL_02),
+                _ => return Err(self.misplaced()),
+            }
+        }
+        Ok(())
+    }
+
+    /// The block delete mark, if it stands here, and the blanks after it.
+    fn take_slash(&mut self) -> Result<bool, Fault> {
+        if self.peek() != Some(b'/') {
+            return Ok(false);
+        }
+        self.at += 1;
+        if self.options.block_delete {
+            // What follows the mark of a skipped block is not looked at, a sequence name aside.
+            while matches!(self.peek_class(), Some(Class::Ignored | Class::Tab)) {
+                self.at += 1;
+            }
+        } else {
+            self.skip_blanks()?;
+        }
+        Ok(true)
+    }
+
+    fn program_name(&mut self) -> Result<(), Fault> {
+        let name = self.run(self.at + 1);
+        let length = name.len();
+        let mut label = Label::new("O");
+        name.iter().for_each(|byte| label.push(*byte));
+        let reserved = name.first() == Some(&b'O');
+        let valid = is_name(name, 4);
+        self.at += 1 + length;
+        if !valid {
+            return Fault::raise(AlarmName::ProgramNameMalformed, NAME_01);
+        }
+        if reserved {
+            return Fault::raise(AlarmName::ProgramNameReserved, NAME_02);
+        }
+        self.skip_blanks()?;
+        if self.peek().is_some() {
+            return Fault::raise(AlarmName::ProgramNameNotAlone, NAME_03);
+        }
+        self.block.program = Some(label);
+        Ok(())
+    }
+
+    fn sequence(&mut self) -> Result<(), Fault> {
+        let start = self.at + 1;
+        let run = self.run(start);
+        let run_length = run.len();
+        let length = (1..=run_length.min(5))
+            .rev()
+            .find(|length| run.get(..*length).is_some_and(|name| is_name(name, 5)))
+            .unwrap_or(0);
+        let mut label = Label::new("N");
+        run.iter().take(length).for_each(|byte| label.push(*byte));
+        self.at = start + length;
+        if length == 0 {
+            return Fault::raise(AlarmName::SequenceNameMalformed, SEQ_01);
+        }
+        let delimited = match self.peek() {
+            None | Some(b'/') => true,
+            Some(byte) => matches!(class(byte), Class::Ignored | Class::Tab | Class::Open),
+        };
+        if !delimited {
+            return Fault::raise(AlarmName::SequenceDelimiterMissing, SEQ_02);
+        }
+        self.block.sequence = label;
+        Ok(())
+    }
+
+    /// Appends an operation.
+    pub fn operation(&mut self, operation: Operation) {
+        self.block.operations.push(operation);
+    }
+}
+
+/// More than eight digits are refused (E100L-DEC-04, E100L-TYPE-02, E100L-TYPE-03).
+pub fn check_digits(written: u32, point: bool, feed: bool) -> Result<(), Fault> {
+    if written <= 8 {
+        return Ok(());
+    }
+    let rule = match (feed, point) {
+        (true, _) => DEC_04,
+        (false, true) => TYPE_03,
+        (false, false) => TYPE_02,
+    };
+    Fault::raise(AlarmName::TooManyDigits, rule)
+}
+
+/// Whether a name is a numeral or begins with a letter, and is neither empty nor too long.
+fn is_name(name: &[u8], longest: usize) -> bool {
+    let numeral = name.iter().all(u8::is_ascii_digit);
+    let begins = name.first().is_some_and(|byte| byte.is_ascii_uppercase() || numeral);
+    begins && name.len() <= longest
+}

@@ -1,0 +1,217 @@
+//! What a control remembers from block to block.
+
+use turnspec_oracle::vocabulary::{
+    CuttingSpeed, FeedUnit, Length, Limit, Setup, SpeedLimit, SpindleState, ToolOffsetSign,
+};
+
+/// Amounts of the four axes in nanometres and micro-degrees, X as a diameter; by [`super::system::Axis`].
+pub type Amounts = [i64; 4];
+
+/// Places in [`Amounts`].
+pub const X: usize = 0;
+pub const Z: usize = 1;
+pub const C: usize = 2;
+pub const W: usize = 3;
+
+/// A full turn in micro-degrees.
+pub const TURN: i64 = 360_000_000;
+
+/// Number of tool offsets and nose radius entries, number 0 included.
+pub const TABLE: usize = 97;
+
+/// F as programmed, in both of its readings.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct StoredFeed {
+    /// Picometres per minute and per revolution.
+    pub values: [i64; 2],
+    /// The mode in which it was given.
+    pub given: FeedUnit,
+}
+
+/// The corner of a chamfer block, from which the next motion counts.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Base {
+    /// Program X of the corner.
+    pub x: i64,
+    /// Program Z of the corner.
+    pub z: i64,
+    /// Whether the chamfer was one of the basic form.
+    pub basic: bool,
+}
+
+/// The whole state; every amount is exact.
+#[derive(Clone, Debug)]
+pub struct State {
+    /// Machine position; C in [0, 360).
+    pub machine: Amounts,
+    pub zero_offset: Amounts,
+    pub zero_shift: Amounts,
+    pub tool_offsets: [[i64; 2]; TABLE],
+    pub nose_radii: [[i64; 2]; TABLE],
+    pub offset_sign: i64,
+    pub positive_limits: [Option<i64>; 4],
+    pub negative_limits: [Option<i64>; 4],
+    pub droop: [i64; 3],
+    pub barriers: [i64; 8],
+    pub pitch_errors: [[i64; 2]; 121],
+    pub pitches: [i64; 2],
+    pub common: Box<[f64; 201]>,
+
+    /// G00 to G03.
+    pub motion: u16,
+    pub incremental: bool,
+    pub per_minute: bool,
+    pub constant_speed: bool,
+    pub droop_control: bool,
+
+    pub feed: Option<StoredFeed>,
+    /// S of G97 in thousandths of a revolution per minute.
+    pub speed: i64,
+    /// S of G96.
+    pub surface: CuttingSpeed,
+    pub clamp: Option<i64>,
+    pub tool_speed: i64,
+    pub spindle: SpindleState,
+    pub tool_spindle: SpindleState,
+    /// M code of the gear, 0 for none.
+    pub gear: u16,
+    pub tool_gear: u16,
+
+    pub tool: u8,
+    pub offset: u8,
+
+    pub c_joined: bool,
+    pub c_clamped: bool,
+    pub c_negative: bool,
+    pub tool_interlock_released: bool,
+    pub check_times: bool,
+
+    /// Torque limits of Z and W in percent.
+    pub torque: [Option<u8>; 2],
+    pub last_motion_cut: bool,
+    pub base: Option<Base>,
+    /// Target of the block after a block with only A, in program coordinates.
+    pub angle_target: Option<(i64, i64)>,
+    /// Torque stops used so far.
+    pub stops_used: usize,
+}
+
+impl State {
+    /// The state at power-on.
+    pub fn new(setup: &Setup) -> Self {
+        let mut tool_offsets = [[0; 2]; TABLE];
+        for entry in &setup.tool_offset {
+            if let Some(slot) = tool_offsets.get_mut(usize::from(entry.number)) {
+                *slot = [entry.x.0, entry.z.0];
+            }
+        }
+        let mut nose_radii = [[0; 2]; TABLE];
+        for entry in &setup.nose_radius {
+            if let Some(slot) = nose_radii.get_mut(usize::from(entry.number)) {
+                *slot = [entry.x.0, entry.z.0];
+            }
+        }
+        let mut common = Box::new([0.0; 201]);
+        for (name, value) in &setup.variables {
+            let number = name.strip_prefix('V').and_then(|digits| digits.parse::<usize>().ok());
+            if let Some(slot) = number.and_then(|number| common.get_mut(number)) {
+                *slot = *value + 0.0;
+            }
+        }
+        let limits = &setup.limits;
+        let axes = [limits.x, limits.z, Limit::default(), limits.w];
+        let metres = |length: Option<Length>| length.map(|length| length.0);
+        let b = &setup.barriers;
+        Self {
+            machine: [setup.start.x.0, setup.start.z.0, setup.start.c.0.rem_euclid(TURN), setup.start.w.0],
+            zero_offset: [
+                setup.zero_offset.x.0,
+                setup.zero_offset.z.0,
+                setup.zero_offset.c.0,
+                setup.zero_offset.w.0,
+            ],
+            zero_shift: [0; 4],
+            tool_offsets,
+            nose_radii,
+            offset_sign: if setup.readings.tool_offset == ToolOffsetSign::Added { 1 } else { -1 },
+            positive_limits: axes.map(|limit| metres(limit.positive)),
+            negative_limits: axes.map(|limit| metres(limit.negative)),
+            droop: [setup.droop.x.into(), setup.droop.z.into(), setup.droop.c.into()],
+            barriers: [
+                b.chuck_length.0,
+                b.chuck_diameter.0,
+                b.chuck_x.0,
+                b.chuck_z.0,
+                b.tailstock_length.0,
+                b.tailstock_diameter.0,
+                b.centre_diameter.0,
+                b.workpiece_end.0,
+            ],
+            pitch_errors: [[0; 2]; 121],
+            pitches: [0; 2],
+            common,
+            motion: 0,
+            incremental: false,
+            per_minute: false,
+            constant_speed: false,
+            droop_control: false,
+            feed: None,
+            speed: 0,
+            surface: CuttingSpeed(0),
+            clamp: None,
+            tool_speed: 0,
+            spindle: SpindleState::Stop,
+            tool_spindle: SpindleState::Stop,
+            gear: 0,
+            tool_gear: 0,
+            tool: 0,
+            offset: 0,
+            c_joined: false,
+            c_clamped: false,
+            c_negative: false,
+            tool_interlock_released: false,
+            check_times: false,
+            torque: [None; 2],
+            last_motion_cut: false,
+            base: None,
+            angle_target: None,
+            stops_used: 0,
+        }
+    }
+
+    /// The amounts of the active tool offset.
+    pub fn active_offset(&self) -> [i64; 2] {
+        self.tool_offsets.get(usize::from(self.offset)).copied().unwrap_or_default()
+    }
+
+    /// Machine coordinate less program coordinate of an axis (E100L-COORD-03).
+    #[inline]
+    pub fn frame(&self, axis: usize) -> i64 {
+        let sum = self.zero_offset[axis].saturating_add(self.zero_shift[axis]);
+        match axis {
+            X | Z => sum.saturating_add(self.offset_sign * self.active_offset()[axis]),
+            _ => sum,
+        }
+    }
+
+    /// The present program coordinate of an axis; C in [0, 360).
+    #[inline]
+    pub fn program(&self, axis: usize) -> i64 {
+        let value = self.machine[axis].saturating_sub(self.frame(axis));
+        if axis == C { value.rem_euclid(TURN) } else { value }
+    }
+
+    /// The unit of the feed mode in force.
+    pub fn feed_unit(&self) -> FeedUnit {
+        if self.per_minute { FeedUnit::PerMinute } else { FeedUnit::PerRevolution }
+    }
+}
+
+/// Why a spindle speed is what it is.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct SpeedChoice {
+    /// Thousandths of a revolution per minute.
+    pub value: i64,
+    /// The limit that acted.
+    pub limit: Option<SpeedLimit>,
+}

@@ -1,0 +1,363 @@
+//! The parts of a block after parsing, and its words after evaluation. All of it is reused from block to
+//! block.
+
+use turnspec_oracle::vocabulary::{Label, Place};
+
+use super::codes::GGroup;
+use super::number::Number;
+use super::system::SystemVariable;
+
+macro_rules! addresses {
+    ($($name:ident $text:literal),*) => {
+        /// The address of a word, or a mnemonic that stands like a word.
+        #[derive(Clone, Copy, PartialEq, Eq, Debug)]
+        #[repr(u8)]
+        pub enum Address { $($name),* }
+
+        impl Address {
+            /// As written.
+            pub fn text(self) -> &'static str {
+                match self { $(Self::$name => $text),* }
+            }
+        }
+    };
+}
+
+addresses! {
+    A "A", B "B", C "C", D "D", E "E", F "F", G "G", H "H", I "I", K "K", L "L", M "M", P "P", Q "Q", S "S",
+    T "T", U "U", W "W", X "X", Z "Z", SB "SB", SA "SA", QA "QA", PZ "PZ", PW "PW", Calrg "CALRG"
+}
+
+/// Number of addresses.
+const ADDRESSES: usize = 26;
+
+impl Address {
+    /// Its bit in a set of addresses.
+    pub const fn bit(self) -> u32 {
+        1 << self as u32
+    }
+
+    /// The set of some addresses.
+    pub const fn set(addresses: &[Self]) -> u32 {
+        let (mut set, mut next) = (0, 0);
+        while next < addresses.len() {
+            set |= addresses[next].bit();
+            next += 1;
+        }
+        set
+    }
+
+    /// Whether its values are lengths.
+    pub const fn is_length(self) -> bool {
+        const LENGTHS: u32 = Address::set(&[
+            Address::X,
+            Address::Z,
+            Address::I,
+            Address::K,
+            Address::W,
+            Address::D,
+            Address::U,
+            Address::H,
+            Address::L,
+        ]);
+        self.bit() & LENGTHS != 0
+    }
+}
+
+/// A value in expressions.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum Operand {
+    /// Binary64, finite.
+    Real(f64),
+    /// 32-bit integer; truth values count as such.
+    Integer(i32),
+}
+
+impl Operand {
+    /// As a real number.
+    pub fn real(self) -> f64 {
+        match self {
+            Self::Real(value) => value,
+            Self::Integer(value) => value.into(),
+        }
+    }
+
+    /// As the value of a word.
+    pub fn number(self) -> Number {
+        match self {
+            Self::Real(value) => Number::Real(value),
+            Self::Integer(value) => Number::Integer(value),
+        }
+    }
+}
+
+/// A comparison (E100L-AEXP-03).
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Comparison {
+    Less,
+    LessEqual,
+    Equal,
+    NotEqual,
+    Greater,
+    GreaterEqual,
+}
+
+/// A function of expressions.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Function {
+    Sin,
+    Cos,
+    Tan,
+    Atan,
+    Atan2,
+    Sqrt,
+    Abs,
+    Bin,
+    Bcd,
+    Round,
+    Fix,
+    Fup,
+    Dround,
+    Dfix,
+    Dfup,
+    Mod,
+}
+
+/// One operation of an expression in postfix order.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum Operation {
+    Constant(Operand),
+    Common(u8),
+    System(SystemVariable),
+    Negate,
+    Add,
+    Subtract,
+    Multiply,
+    Divide,
+    Compare(Comparison),
+    And,
+    Or,
+    ExclusiveOr,
+    Not,
+    Call(Function),
+    /// Boolean operators need User Task 2; tested before their operands.
+    NeedsBoolean,
+    /// Functions need User Task 2; tested before their arguments.
+    NeedsFunction,
+}
+
+/// A run of operations.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Code {
+    pub start: u16,
+    pub end: u16,
+}
+
+/// Where the value of a word comes from.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum Source {
+    Plain(Number),
+    Expression(Code),
+}
+
+/// One item of a block.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum Item {
+    Word(Address, Source),
+    Mnemonic,
+    Common { number: u8, value: Code },
+    System { variable: SystemVariable, suffix: Option<Code>, value: Code },
+}
+
+/// A parsed block.
+#[derive(Debug, Default)]
+pub struct Parsed {
+    /// Items in written order.
+    pub items: Vec<Item>,
+    /// The operations of all its expressions.
+    pub operations: Vec<Operation>,
+    /// Sequence name with its `N`, or empty.
+    pub sequence: Label,
+    /// Program name with its `O`, if this is a program-name block.
+    pub program: Option<Label>,
+    /// Whether block delete skips it.
+    pub skipped: bool,
+    /// Whether it has a length word.
+    pub has_length: bool,
+    /// Whether it has an assignment.
+    pub has_assignment: bool,
+}
+
+impl Parsed {
+    /// Makes room for the next block.
+    pub fn clear(&mut self) {
+        self.items.clear();
+        self.operations.clear();
+        self.sequence = Label::default();
+        self.program = None;
+        self.skipped = false;
+        self.has_length = false;
+        self.has_assignment = false;
+    }
+
+    /// Whether it has any item.
+    pub fn has(&self, wanted: impl Fn(&Item) -> bool) -> bool {
+        self.items.iter().any(wanted)
+    }
+}
+
+/// The evaluated words of a block.
+#[derive(Debug)]
+pub struct Words {
+    present: u32,
+    values: [i64; ADDRESSES],
+    order: [Address; ADDRESSES],
+    count: u8,
+    /// The value of F, which depends on the mode that uses it.
+    pub feed: Number,
+    g: [u16; GROUPS],
+    g_count: u8,
+    g_groups: u16,
+    m: [u16; MOST_M],
+    m_count: u8,
+    m_groups: u64,
+}
+
+/// Number of groups of G codes.
+const GROUPS: usize = GGroup::OneShot as usize + 1;
+/// Most M words in a block (E100L-FMT-06).
+pub const MOST_M: usize = 8;
+
+impl Default for Words {
+    fn default() -> Self {
+        Self {
+            present: 0,
+            values: [0; ADDRESSES],
+            order: [Address::A; ADDRESSES],
+            count: 0,
+            feed: Number::Integer(0),
+            g: [0; GROUPS],
+            g_count: 0,
+            g_groups: 0,
+            m: [0; MOST_M],
+            m_count: 0,
+            m_groups: 0,
+        }
+    }
+}
+
+impl Words {
+    /// Forgets all words.
+    pub fn clear(&mut self) {
+        self.present = 0;
+        self.count = 0;
+        self.g_count = 0;
+        self.g_groups = 0;
+        self.m_count = 0;
+        self.m_groups = 0;
+    }
+
+    /// Notes that an address was met; false when it was there already.
+    pub fn meet(&mut self, address: Address) -> bool {
+        if self.has(address) {
+            return false;
+        }
+        self.present |= address.bit();
+        if let Some(slot) = self.order.get_mut(usize::from(self.count)) {
+            *slot = address;
+            self.count += 1;
+        }
+        true
+    }
+
+    /// Stores the value of an address.
+    pub fn set(&mut self, address: Address, value: i64) {
+        self.values[address as usize] = value;
+    }
+
+    /// Whether the block has the address.
+    pub fn has(&self, address: Address) -> bool {
+        self.present & address.bit() != 0
+    }
+
+    /// Whether the block has one of a set of addresses.
+    pub fn has_any(&self, set: u32) -> bool {
+        self.present & set != 0
+    }
+
+    /// The set of addresses of the block.
+    pub fn present(&self) -> u32 {
+        self.present
+    }
+
+    /// The value of an address, if the block has it.
+    pub fn get(&self, address: Address) -> Option<i64> {
+        self.has(address).then(|| self.values[address as usize])
+    }
+
+    /// The addresses other than G and M in written order.
+    pub fn order(&self) -> &[Address] {
+        self.order.get(..usize::from(self.count)).unwrap_or_default()
+    }
+
+    /// Adds a G code; false when its group is there already.
+    pub fn add_g(&mut self, code: u16, group: GGroup) -> bool {
+        let bit = 1 << group as u16;
+        if self.g_groups & bit != 0 {
+            return false;
+        }
+        self.g_groups |= bit;
+        if let Some(slot) = self.g.get_mut(usize::from(self.g_count)) {
+            *slot = code;
+            self.g_count += 1;
+        }
+        true
+    }
+
+    /// The G codes in written order.
+    pub fn g_codes(&self) -> &[u16] {
+        self.g.get(..usize::from(self.g_count)).unwrap_or_default()
+    }
+
+    /// Whether the block has a G code.
+    pub fn has_g(&self, code: u16) -> bool {
+        self.g_codes().contains(&code)
+    }
+
+    /// Whether there is room for another M code.
+    pub fn has_room_for_m(&self) -> bool {
+        usize::from(self.m_count) < MOST_M
+    }
+
+    /// Adds an M code of a group; false when the code or its group is there already.
+    pub fn add_m(&mut self, code: u16, group: Option<u8>) -> bool {
+        let bit = group.map_or(0, |group| 1_u64 << (group & 63));
+        if self.m_groups & bit != 0 || self.has_m(code) {
+            return false;
+        }
+        self.m_groups |= bit;
+        if let Some(slot) = self.m.get_mut(usize::from(self.m_count)) {
+            *slot = code;
+            self.m_count += 1;
+        }
+        true
+    }
+
+    /// The M codes in written order.
+    pub fn m_codes(&self) -> &[u16] {
+        self.m.get(..usize::from(self.m_count)).unwrap_or_default()
+    }
+
+    /// Whether the block has an M code.
+    pub fn has_m(&self, code: u16) -> bool {
+        self.m_codes().contains(&code)
+    }
+}
+
+/// A block that was read: its place, its parts, its words.
+#[derive(Debug, Default)]
+pub struct Slot {
+    pub place: Place,
+    pub parsed: Parsed,
+    pub words: Words,
+}
