@@ -61,23 +61,15 @@ pub fn check(words: Words, modes: Modes, after_angle: bool, state: &State) -> Ou
         Some(29) => torque_limit(&words, setup)?,
         Some(50) => zero_shift(&words, setup)?,
         Some(code @ (75 | 76)) => {
-            chamfer(code, &words, motion, after_angle, setup)?;
+            chamfer(code, &words, motion, setup)?;
+            path(&words, motion, after_angle, setup)?;
             moves = true;
         }
-        Some(_) => {}
-        None => {
-            moves = is_motion(&words, motion);
-            if moves {
-                if motion <= 1 {
-                    line(&words, after_angle, setup)?
-                } else {
-                    arc(&words)?
-                }
-                if words.get('W').is_some() && !setup.options.w_axis {
-                    return fail(AlarmName::AxisMissing, AXIS_01);
-                }
-            }
+        None if is_motion(&words, motion) => {
+            path(&words, motion, after_angle, setup)?;
+            moves = true;
         }
+        Some(_) | None => {}
     }
     every_word_has_a_function(&words, one_shot, motion)?;
     Ok(Plan { words, modes, one_shot, moves })
@@ -164,7 +156,7 @@ fn zero_shift(words: &Words, setup: &Setup) -> Outcome<()> {
 }
 
 /// E100L-CHAM-01, E100L-CHAM-02, E100L-CHAM-05, E100L-CHAM-08, E100L-CHAM-10, E100L-ANG-05.
-fn chamfer(code: u16, words: &Words, motion: u16, after_angle: bool, setup: &Setup) -> Outcome<()> {
+fn chamfer(code: u16, words: &Words, motion: u16, setup: &Setup) -> Outcome<()> {
     let chamfering = setup.parameters.chamfering;
     if motion != 1 {
         return fail(AlarmName::ChamferNotLinear, CHAM_05);
@@ -182,8 +174,18 @@ fn chamfer(code: u16, words: &Words, motion: u16, after_angle: bool, setup: &Set
     if !x && !z && !angle {
         return fail(AlarmName::ChamferAxes, ANG_05);
     }
-    if angle && x && z && !after_angle {
-        return fail(AlarmName::AngleOverdetermined, DTAP_01);
+    Ok(())
+}
+
+/// What a line or an arc needs, and the axes that the machine must have.
+fn path(words: &Words, motion: u16, after_angle: bool, setup: &Setup) -> Outcome<()> {
+    if motion <= 1 {
+        line(words, after_angle, setup)?
+    } else {
+        arc(words)?
+    }
+    if words.get('W').is_some() && !setup.options.w_axis {
+        return fail(AlarmName::AxisMissing, AXIS_01);
     }
     Ok(())
 }
