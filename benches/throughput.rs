@@ -40,11 +40,16 @@ fn main() -> Result<(), Box<dyn Error>> {
     for (long, short) in programs.iter().zip(&workloads(blocks / ORACLE_SHARE)) {
         row(&mut out, long, "copy", || copy(&long.text))?;
         row(&mut out, long, "search for line ends", || line_ends(&long.text))?;
+        row(&mut out, long, "parse only", || parse(long, &setup))?;
         row(&mut out, long, "engine", || engine(&long.text, &setup))?;
         row(&mut out, long, "engine, trace as JSON", || engine_with_json(&long.text, &setup))?;
         row(&mut out, short, "oracle", || oracle(&short.text, &setup))?;
     }
-    rs274(&mut out, &setup, &programs[0])
+    rs274(&mut out, &setup, &programs[0])?;
+    for load in &programs {
+        writeln!(out, "{}: {}", load.name, slow_paths(&load.text, &setup))?;
+    }
+    Ok(())
 }
 
 fn workloads(blocks: usize) -> [Workload; 3] {
@@ -54,6 +59,14 @@ fn workloads(blocks: usize) -> [Workload; 3] {
         Workload { name: "arcs and chamfers", text: arcs_and_chamfers(blocks), blocks },
         Workload { name: "expressions", text: expressions(blocks), blocks },
     ]
+}
+
+/// How often the engine needed exact integers because `f64` left a rounding or a sign in doubt.
+fn slow_paths(text: &[u8], setup: &Setup) -> String {
+    let mut interpreter = turnspec::engine::Interpreter::new(text, setup);
+    let mut events: u64 = 0;
+    while interpreter.step(&mut |_: &Event| events += 1).is_none() {}
+    format!("{:?} in {events} events", interpreter.slow_paths())
 }
 
 /// Times the fastest of several runs and prints it.
@@ -88,6 +101,15 @@ fn copy(text: &[u8]) -> Result<(), Box<dyn Error>> {
 fn line_ends(text: &[u8]) -> Result<(), Box<dyn Error>> {
     black_box(memchr::memchr_iter(b'\n', black_box(text)).count());
     Ok(())
+}
+
+fn parse(load: &Workload, setup: &Setup) -> Result<(), Box<dyn Error>> {
+    let blocks = black_box(turnspec::engine::count_blocks(black_box(&load.text), setup));
+    if blocks == load.blocks as u64 {
+        Ok(())
+    } else {
+        Err(format!("{blocks} blocks instead of {}", load.blocks).into())
+    }
 }
 
 fn engine(text: &[u8], setup: &Setup) -> Result<(), Box<dyn Error>> {

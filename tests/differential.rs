@@ -13,7 +13,7 @@ use support::campaign::{self, Summary};
 use support::regression;
 use turnspec::differential::compare;
 use turnspec_generator::{Case, arcs_and_chamfers, case_from_seed, expressions, straight_line};
-use turnspec_oracle::vocabulary::{Action, AlarmName, Event, Setup};
+use turnspec_oracle::vocabulary::{Action, AlarmName, Event, RuleSet, Setup};
 
 /// From this size on a run has to meet every alarm.
 const LARGE: u64 = 500_000;
@@ -70,6 +70,22 @@ fn most_programs_run_to_their_end() {
     }
     assert!(ended * 10 > PROGRAMS * 6, "{ended} of {PROGRAMS} programs reached M02 or M30");
     assert!(events > PROGRAMS * 10, "{events} events of {PROGRAMS} programs");
+}
+
+/// A trace is the same after a way through JSON, and no event cites more rules than a set holds.
+#[test]
+fn traces_read_back_from_json() -> Result<(), serde_json::Error> {
+    for seed in 0..400 {
+        let case = case_from_seed(seed);
+        let mut trace = Vec::new();
+        turnspec_oracle::run(&case.program, &case.setup, &mut |event: &Event| trace.push(*event));
+        for event in trace {
+            assert!(event.rules.as_slice().len() < RuleSet::CAPACITY, "{event:?}");
+            let text = serde_json::to_string(&event)?;
+            assert_eq!(serde_json::from_str::<Event>(&text)?, event, "{text}");
+        }
+    }
+    Ok(())
 }
 
 #[test]

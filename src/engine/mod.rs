@@ -269,5 +269,18 @@ pub fn run(program: &[u8], setup: &Setup, sink: &mut impl Sink) -> Ending {
     }
 }
 
+/// Number of blocks that the grammar accepts, up to the first fault or the end of the text. Nothing is
+/// evaluated or carried out.
+#[must_use]
+pub fn count_blocks(program: &[u8], setup: &Setup) -> u64 {
+    let mut interpreter = Interpreter::new(program, setup);
+    let mut slot = Slot::default();
+    let mut blocks = 0;
+    while let Ok(true) = interpreter.read(&mut slot) {
+        blocks += 1;
+    }
+    blocks
+}
+
 #[cfg(test)]
 mod tests;

@@ -227,7 +227,8 @@ impl<'a> Reader<'a> {
     fn check_header(&self, lines: Lines) -> Result<(), Fault> {
         let raw = self.bytes.get(lines.start..lines.end).unwrap_or_default();
         let text: Option<Vec<u8>> = raw.iter().map(|byte| self.character(*byte)).collect();
-        let text = text.ok_or(Fault::new(AlarmName::ParityError, CMT_02))?;
+        let end_is_bad = self.bytes.get(lines.end).is_some_and(|end| self.character(*end).is_none());
+        let text = text.filter(|_| !end_is_bad).ok_or(Fault::new(AlarmName::ParityError, CMT_02))?;
         let is_blank = |byte: &u8| class(*byte) == Class::Ignored;
         let length = text.len() - text.iter().rev().take_while(|byte| is_blank(byte)).count();
         let Some(name) = text.get(..length).and_then(|text| text.strip_suffix(b"%")) else {

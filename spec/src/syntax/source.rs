@@ -120,8 +120,9 @@ impl<'a> Source<'a> {
             return Err(Fault::new(AlarmName::HeaderMalformed, PROG_05));
         }
         let extension = text.rsplit(|code| *code == b'.').next().unwrap_or_default();
+        let letters = extension.iter().take_while(|code| code.is_ascii_uppercase()).count();
         // E100L-PROG-01: schedule programs and subprograms.
-        match std::str::from_utf8(extension) {
+        match std::str::from_utf8(extension.get(..letters).unwrap_or_default()) {
             Ok(kind @ ("SDF" | "SUB" | "SSB")) if text.contains(&b'.') => {
                 Err(Fault::about(AlarmName::NotModelled, PROG_01, kind))
             }
