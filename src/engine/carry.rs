@@ -5,7 +5,6 @@ use turnspec_oracle::vocabulary::{Action, AlarmName, Duration, Ending, FrameCaus
 
 use super::Interpreter;
 use super::block::{OneShot, Plan};
-use super::evaluate::code_label;
 use super::fault::Fault;
 use super::state::{C, StoredFeed, TURN, W, X, Z};
 use super::words::{Address, Slot, Words};
@@ -79,8 +78,8 @@ impl Interpreter<'_> {
     fn emit_mode(&mut self, sink: &mut impl Sink, group: &str, code: u16, previous: u16, rules: RuleSet) {
         let action = Action::Mode {
             group: Label::new(group),
-            code: code_label(b'G', code),
-            previous: code_label(b'G', previous),
+            code: Label::of_code(b'G', code),
+            previous: Label::of_code(b'G', previous),
         };
         self.emit(sink, rules, action);
     }
@@ -163,7 +162,7 @@ impl Interpreter<'_> {
             1 => {}
             _ => {
                 self.reset(sink);
-                let code = code_label(b'M', code);
+                let code = Label::of_code(b'M', code);
                 self.emit(sink, const { RuleSet::of(&[MCODE_04]) }, Action::End { code });
                 return Some(Ending::End);
             }

@@ -134,11 +134,6 @@ impl Interpreter<'_> {
         let words = &slot.words;
         let end = self.line_end(slot, plan, base, angle_target, sink)?;
         let corner = end.point;
-        for (tested, coordinate) in [(end.x, corner.x), (end.z, corner.z)] {
-            if tested {
-                self.check_coordinate(coordinate)?;
-            }
-        }
         let size = words.get(Address::L).unwrap_or_default();
         let rounding = plan.one_shot == OneShot::Rounding;
         let basic = self.setup.parameters.chamfering == Chamfering::Basic;
@@ -169,6 +164,11 @@ impl Interpreter<'_> {
             let named = if rounding { end.readings } else { end.readings.union(self.known.leg) };
             self.any_corner(end.anchor, corner, beyond, size, rounding, (line, second), named)?
         };
+        for (tested, coordinate) in [(end.x, corner.x), (end.z, corner.z)] {
+            if tested || !basic {
+                self.check_coordinate(coordinate)?;
+            }
+        }
         for element in [elements.first, elements.second].into_iter().flatten() {
             self.perform(element, sink)?;
         }

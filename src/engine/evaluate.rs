@@ -11,18 +11,6 @@ use super::functions;
 use super::number::{Number, Rounding};
 use super::words::{Address, Code, Function, Item, Operand, Operation, Parsed, Slot, Source, Words};
 
-/// A code as text, with at least two digits.
-pub fn code_label(letter: u8, code: u16) -> Label {
-    let mut label = Label::from_bytes(&[letter]);
-    let digit = |value: u16| b'0' + u8::try_from(value % 10).unwrap_or(0);
-    if code >= 100 {
-        label.push(digit(code / 100));
-    }
-    label.push(digit(code / 10));
-    label.push(digit(code));
-    label
-}
-
 impl Interpreter<'_> {
     /// Evaluates the items of a block; its assignments are carried out at once.
     pub(super) fn evaluate(&mut self, slot: &mut Slot, sink: &mut impl Sink) -> Result<(), Fault> {
@@ -143,7 +131,7 @@ impl Interpreter<'_> {
 
     fn g_word(&self, words: &mut Words, number: Number) -> Result<(), Fault> {
         let code = code_number(number, 999, ADDR_01)?;
-        let detail = || code_label(b'G', code);
+        let detail = || Label::of_code(b'G', code);
         let group = match codes::g_code(code) {
             Status::Modelled => codes::g_group(code).unwrap_or(GGroup::OneShot),
             Status::Unspecified => return Err(Fault::about(AlarmName::Unspecified, GTAB_01, detail())),
@@ -246,7 +234,7 @@ fn m_word(words: &mut Words, number: Number) -> Result<(), Fault> {
                 25 => MCODE_11,
                 _ => MTAB_01,
             };
-            return Err(Fault::about(AlarmName::NotModelled, rule, code_label(b'M', code)));
+            return Err(Fault::about(AlarmName::NotModelled, rule, Label::of_code(b'M', code)));
         }
     }
     if !words.add_m(code, codes::m_group_number(code)) {

@@ -8,7 +8,6 @@ use turnspec_oracle::vocabulary::{
 use super::Interpreter;
 use super::block::Plan;
 use super::codes;
-use super::evaluate::code_label;
 use super::fault::Fault;
 use super::spindle::answer;
 use super::words::Words;
@@ -128,6 +127,6 @@ impl Interpreter<'_> {
 
     fn emit_aux(&mut self, sink: &mut impl Sink, code: u16, rules: RuleSet) {
         let group = codes::m_group(code).map(Label::new).unwrap_or_default();
-        self.emit(sink, rules, Action::Aux { code: code_label(b'M', code), group });
+        self.emit(sink, rules, Action::Aux { code: Label::of_code(b'M', code), group });
     }
 }

@@ -10,7 +10,6 @@ use turnspec_oracle::vocabulary::{
 
 use super::Interpreter;
 use super::block::{OneShot, Plan};
-use super::evaluate::code_label;
 use super::exact::{Formula, Real, round, sign};
 use super::fault::Fault;
 use super::state::{SpeedChoice, X};
@@ -34,7 +33,7 @@ impl Formula for CuttingRate {
 
 /// The label of an active gear, empty for none.
 fn gear_label(code: u16) -> Label {
-    if code == 0 { Label::default() } else { code_label(b'M', code) }
+    if code == 0 { Label::default() } else { Label::of_code(b'M', code) }
 }
 
 impl Interpreter<'_> {

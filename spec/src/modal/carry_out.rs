@@ -4,7 +4,6 @@
 use super::check::Plan;
 use super::miscellaneous::{self, Timed, check_time};
 use super::reset::{mode, reset};
-use super::words::code_label;
 use super::{feed, spindle, tool};
 use crate::controls::e100l::g_codes::{GCode, GGroup, g_code};
 use crate::emission::Emission;
@@ -12,7 +11,7 @@ use crate::fault::Outcome;
 use crate::frame::FULL_TURN;
 use crate::state::State;
 use crate::vocabulary::rule_ids::*;
-use crate::vocabulary::{Action, FrameCause, InchConversion, RuleId, RuleSet};
+use crate::vocabulary::{Action, FrameCause, InchConversion, Label, RuleId, RuleSet};
 
 /// Carries out what comes before the motion.
 pub fn before_motion(plan: &Plan, state: &mut State, emissions: &mut Vec<Emission>) -> Outcome<()> {
@@ -152,7 +151,7 @@ pub fn after_motion(plan: &Plan, state: &mut State, emissions: &mut Vec<Emission
         }
         Some(code @ (2 | 30)) => {
             emissions.append(&mut reset(state));
-            let end = Action::End { code: code_label('M', code) };
+            let end = Action::End { code: Label::of_code(b'M', code) };
             emissions.push(Emission::new(end, RuleSet::of(&[MCODE_04])));
             return true;
         }

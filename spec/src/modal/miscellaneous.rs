@@ -2,7 +2,6 @@
 
 use super::check::Plan;
 use super::spindle;
-use super::words::code_label;
 use crate::controls::e100l::m_codes::{aux_rules, group_of};
 use crate::emission::Emission;
 use crate::fault::{Outcome, fail};
@@ -37,7 +36,7 @@ pub fn command(code: u16, plan: &Plan, state: &mut State) -> Outcome<Emission> {
 
 fn auxiliary(code: u16, rules: RuleSet) -> Emission {
     let group = group_of(code).map_or(Label::default(), |group| Label::new(group.name));
-    Emission::new(Action::Aux { code: code_label('M', code), group }, rules)
+    Emission::new(Action::Aux { code: Label::of_code(b'M', code), group }, rules)
 }
 
 fn main_spindle(

@@ -1,6 +1,5 @@
 //! Reset processing of M02 and M30 (E100L-MCODE-04).
 
-use super::words::code_label;
 use crate::controls::e100l::g_codes::GGroup;
 use crate::emission::Emission;
 use crate::frame::Amounts;
@@ -40,7 +39,7 @@ pub fn reset(state: &mut State) -> Vec<Emission> {
 pub fn mode(group: GGroup, code: u16, previous: u16) -> Action {
     Action::Mode {
         group: Label::new(group.name()),
-        code: code_label('G', code),
-        previous: code_label('G', previous),
+        code: Label::of_code(b'G', code),
+        previous: Label::of_code(b'G', previous),
     }
 }

@@ -12,8 +12,6 @@ use crate::vocabulary::{
     SpindleState,
 };
 
-use super::words::code_label;
-
 /// A computed speed and what limited it.
 #[derive(Clone, Copy, Debug)]
 pub struct MotionSpeed {
@@ -142,7 +140,7 @@ pub fn main_event(rules: RuleSet, with_motion: bool, state: &State) -> Emission 
         speed: computed.map_or(Speed(0), |computed| computed.speed),
         surface: cutting_speed.then_some(CuttingSpeed(state.spindle.surface)),
         limit: computed.and_then(|computed| computed.limit),
-        gear: state.active("gear").map_or(Label::default(), |code| code_label('M', code)),
+        gear: state.active("gear").map_or(Label::default(), |code| Label::of_code(b'M', code)),
         clamp: None,
         with_motion,
     };
@@ -168,7 +166,7 @@ pub fn clamp_event(rules: RuleSet, state: &State) -> Emission {
 /// The event of a rotary tool command.
 pub fn tool_event(rules: RuleSet, state: &State) -> Emission {
     let turning = state.spindle.tool != SpindleState::Stop;
-    let gear = state.active("tool_gear").map_or(Label::default(), |code| code_label('M', code));
+    let gear = state.active("tool_gear").map_or(Label::default(), |code| Label::of_code(b'M', code));
     plain_event(
         SpindleName::Tool,
         state.spindle.tool,

@@ -220,15 +220,10 @@ fn code(given: &Given, highest: i64, rule: RuleId) -> Outcome<u16> {
     Ok(u16::try_from(code).unwrap_or_default())
 }
 
-/// The text of a code, such as `G01` or `M110`.
-pub fn code_label(letter: char, code: u16) -> Label {
-    Label::new(&format!("{letter}{code:02}"))
-}
-
 /// E100L-GTAB-01, E100L-ABS-04, E100L-GCODE-04.
 fn add_g(given: &Given, words: &mut Words) -> Outcome<()> {
     let code = code(given, 999, ADDR_01)?;
-    let detail = code_label('G', code);
+    let detail = Label::of_code(b'G', code);
     let group = match g_code(code) {
         GCode::Modelled(group) => group,
         GCode::Later => return Err(Fault::about(AlarmName::NotModelled, GTAB_01, detail.as_str())),
@@ -260,7 +255,7 @@ fn add_m(given: &Given, words: &mut Words) -> Outcome<()> {
                 25 => MCODE_11,
                 _ => MTAB_01,
             };
-            return Err(Fault::about(AlarmName::NotModelled, rule, code_label('M', code).as_str()));
+            return Err(Fault::about(AlarmName::NotModelled, rule, Label::of_code(b'M', code).as_str()));
         }
         MCode::Unassigned => return fail(AlarmName::MCodeUnassigned, MTAB_01),
     }

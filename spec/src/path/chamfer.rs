@@ -18,6 +18,8 @@ use crate::vocabulary::{AlarmName, ChamferLeg, Chamfering, ReadingSet, RuleId, R
 
 /// The two elements of a corner.
 struct Corner {
+    /// The axes of the line to it: one in the basic form.
+    axes: Axes,
     /// B; none when the line before it has no length.
     line_to: Option<Point>,
     /// What joins the lines, and D; none for a rounding without length.
@@ -49,11 +51,11 @@ pub fn chamfer(
         any_angle_corner(plan, origin, corner_point, ahead, state)?
     };
     let amounts = |point: Point| Amounts { x: point.0, z: point.1, ..Amounts::default() };
-    check_range(amounts(corner_point), Axes::PLANE, state.setup)?;
+    check_range(amounts(corner_point), corner.axes, state.setup)?;
     let rules = RuleSet::of(&[CHAM_12, corner.rule]).union(end.rules).union(base_rules);
     let readings = end.readings.union(base_readings).union(corner.readings);
     if let Some(point) = corner.line_to {
-        let event = line(amounts(point), Axes::PLANE, rules.union(LINEAR), plan, state)?;
+        let event = line(amounts(point), corner.axes, rules.union(LINEAR), plan, state)?;
         emissions.push(event.readings(readings));
     }
     if let Some((join, point)) = corner.join {
@@ -103,7 +105,8 @@ fn basic_corner(plan: &Plan, start: Point, corner: Point) -> Outcome<Corner> {
         let second = Vector::at(after).minus(&Vector::at(corner));
         (Join::Rounding { centre, sense: turn(&first, &second) }, CHAM_11)
     };
-    Ok(Corner { line_to, join: Some((join, after)), rule, readings: ReadingSet::default() })
+    let axes = Axes { x: along_x, z: !along_x, ..Axes::default() };
+    Ok(Corner { axes, line_to, join: Some((join, after)), rule, readings: ReadingSet::default() })
 }
 
 fn turn(first: &Vector, second: &Vector) -> Sense {
@@ -206,7 +209,7 @@ fn any_angle_chamfer(lines: &Lines, size: &Exact, reading: ChamferLeg) -> Outcom
             of(size).div(&denominator)
         })?,
     };
-    Ok(Corner { line_to, join: Some((Join::Face, after)), rule: ANG_03, readings })
+    Ok(Corner { axes: Axes::PLANE, line_to, join: Some((Join::Face, after)), rule: ANG_03, readings })
 }
 
 /// E100L-ANG-04: tangent length t = L tan(φ/2) = L |cross| / (n1 n2 + dot).
@@ -217,7 +220,7 @@ fn any_angle_rounding(lines: &Lines, size: &Exact, corner: Point) -> Outcome<Cor
         return fail(AlarmName::ChamferAxes, CHAM_08);
     }
     if cross.is_zero() {
-        return Ok(Corner { line_to: Some(corner), join: None, rule: ANG_04, readings });
+        return Ok(Corner { axes: Axes::PLANE, line_to: Some(corner), join: None, rule: ANG_04, readings });
     }
     let tangent_length = |precision: usize| {
         let of = |value: &Exact| Interval::of(value, precision);
@@ -227,7 +230,13 @@ fn any_angle_rounding(lines: &Lines, size: &Exact, corner: Point) -> Outcome<Cor
     let (line_to, after) = lines.legs(&tangent_length)?;
     let sense = turn(&lines.first, &lines.second);
     let centre = rounding_centre(lines, size, sense, &tangent_length);
-    Ok(Corner { line_to, join: Some((Join::Rounding { centre, sense }, after)), rule: ANG_04, readings })
+    Ok(Corner {
+        axes: Axes::PLANE,
+        line_to,
+        join: Some((Join::Rounding { centre, sense }, after)),
+        rule: ANG_04,
+        readings,
+    })
 }
 
 /// The centre stands on the inner side of the exact B: C - t u1 ± L left(u1).

@@ -129,12 +129,10 @@ fn value_after_equal_sign(cursor: &mut Cursor, address: Address, setup: &Setup) 
     cursor.rewind(number_begins);
     if is_number {
         number::plain(cursor)?;
-        let follows = operator_follows(cursor);
-        if !matches!(follows, Ok(true)) {
+        // A comment without end behind the number is a fault of what follows.
+        if !matches!(operator_follows(cursor), Ok(true)) {
             cursor.rewind(number_begins);
-            let number = plain_number(cursor, address)?;
-            // The fault of what follows stands behind those of the number.
-            return follows.map(|_| Value::Number(number));
+            return plain_number(cursor, address).map(Value::Number);
         }
     }
     cursor.rewind(start);

@@ -28,7 +28,25 @@ impl Label {
         label
     }
 
+    /// The label of a code: its letter and at least two digits, such as `G01` or `M110`.
+    #[inline]
+    #[must_use]
+    pub const fn of_code(letter: u8, code: u16) -> Self {
+        let mut bytes = [0; 23];
+        bytes[0] = letter;
+        let digits = if code >= 1000 { 999 } else { code };
+        let mut length = 1;
+        if digits >= 100 {
+            bytes[length] = b'0' + (digits / 100) as u8;
+            length += 1;
+        }
+        bytes[length] = b'0' + (digits / 10 % 10) as u8;
+        bytes[length + 1] = b'0' + (digits % 10) as u8;
+        Self { bytes, length: length as u8 + 2 }
+    }
+
     /// Appends one character if there is room.
+    #[inline]
     pub fn push(&mut self, byte: u8) {
         if let Some(slot) = self.bytes.get_mut(usize::from(self.length)) {
             *slot = if byte.is_ascii_graphic() { byte } else { b'?' };
@@ -37,6 +55,7 @@ impl Label {
     }
 
     /// The text.
+    #[inline]
     #[must_use]
     pub fn as_str(&self) -> &str {
         let text = self.bytes.get(..usize::from(self.length)).unwrap_or_default();
@@ -44,6 +63,7 @@ impl Label {
     }
 
     /// Whether there is no text.
+    #[inline]
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.length == 0
@@ -76,6 +96,20 @@ impl<'de> Deserialize<'de> for Label {
             Ok(label)
         } else {
             Err(de::Error::custom("a name has at most 23 ASCII characters"))
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Label;
+
+    #[test]
+    fn codes_have_at_least_two_digits() {
+        for (code, text) in [(0, "G00"), (7, "G07"), (50, "G50"), (110, "G110"), (313, "G313"), (999, "G999")]
+        {
+            assert_eq!(Label::of_code(b'G', code).as_str(), text);
+            assert_eq!(Label::of_code(b'G', code), Label::new(text));
         }
     }
 }
