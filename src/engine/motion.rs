@@ -131,13 +131,8 @@ impl Interpreter<'_> {
         self.state.last_motion_cut = feed.is_some();
         let program_x = self.state.program(X);
         let mut motion = Motion {
-            program: self.position(
-                program_x,
-                self.state.program(Z),
-                self.state.program(C),
-                self.state.program(W),
-            ),
-            machine: self.position(end[X], end[Z], end[C], end[W]),
+            program: self.position(program_x, self.state.program(Z), |axis| self.state.program(axis)),
+            machine: self.position(end[X], end[Z], |axis| end[axis]),
             c_travel: turn.map(|turn| Angle(turn.travel)),
             speed: None,
         };
@@ -178,12 +173,14 @@ impl Interpreter<'_> {
         Ok(())
     }
 
-    fn position(&self, x: i64, z: i64, c: i64, w: i64) -> Position {
+    /// A position, with C and W where they belong to it.
+    #[inline]
+    fn position(&self, x: i64, z: i64, other: impl Fn(usize) -> i64) -> Position {
         Position {
             x: Length(x),
             z: Length(z),
-            c: self.state.c_joined.then_some(Angle(c)),
-            w: self.setup.options.w_axis.then_some(Length(w)),
+            c: self.state.c_joined.then(|| Angle(other(C))),
+            w: self.setup.options.w_axis.then(|| Length(other(W))),
         }
     }
 
