@@ -1,4 +1,4 @@
-//! What look-ahead sees (execution, section 5): the next block, read and evaluated before its turn.
+//! What look-ahead sees (execution, chapter 5): the next block, read and evaluated before its turn.
 
 use turnspec_oracle::vocabulary::rule_ids::*;
 use turnspec_oracle::vocabulary::{AlarmName, Place, Sink};

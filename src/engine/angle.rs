@@ -1,4 +1,4 @@
-//! Lines: their targets, A words among them (execution, section 5, A words).
+//! Lines: their targets, A words among them (execution, chapter 5, A words).
 
 use turnspec_oracle::vocabulary::rule_ids as rules;
 use turnspec_oracle::vocabulary::{AlarmName, IncrementalAfterChamfer, ReadingSet, Sink};

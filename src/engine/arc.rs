@@ -1,4 +1,4 @@
-//! Arcs by centre and by radius (execution, section 5, Arcs).
+//! Arcs by centre and by radius (execution, chapter 5, Arcs).
 //!
 //! Points are in half nanometres: twice Z, and the diameter X. A radius of r nanometres is 2r of them.
 

@@ -1,4 +1,4 @@
-//! The checks of a block before anything of it is carried out (execution, section 5).
+//! The checks of a block before anything of it is carried out (execution, chapter 5).
 
 use turnspec_oracle::vocabulary::rule_ids::*;
 use turnspec_oracle::vocabulary::{AlarmName, Chamfering, Label};

@@ -1,4 +1,4 @@
-//! Carrying a block out: what comes after what (execution, section 5).
+//! Carrying a block out: what comes after what (execution, chapter 5).
 
 use turnspec_oracle::vocabulary::rule_ids::*;
 use turnspec_oracle::vocabulary::{Action, AlarmName, Duration, Ending, FrameCause, Label, RuleSet, Sink};

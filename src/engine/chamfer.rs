@@ -1,4 +1,4 @@
-//! Chamfers and roundings (execution, section 5, Chamfering and rounding).
+//! Chamfers and roundings (execution, chapter 5, Chamfering and rounding).
 //!
 //! Geometry is in half nanometres: twice Z, and the diameter X; directions are pairs (Z, X).
 

@@ -1,4 +1,4 @@
-//! Evaluating a block from left to right (execution, section 4): values, repetitions, ranges,
+//! Evaluating a block from left to right (execution, chapter 4): values, repetitions, ranges,
 //! assignments.
 
 use turnspec_oracle::vocabulary::rule_ids::*;

@@ -1,4 +1,4 @@
-//! Operators and functions of expressions on their operands (execution, section 6).
+//! Operators and functions of expressions on their operands (execution, chapter 6).
 
 use turnspec_oracle::vocabulary::rule_ids::*;
 use turnspec_oracle::vocabulary::{AlarmName, RuleId, Setup, UnitSystem};

@@ -1,4 +1,4 @@
-//! The items of a block: words, assignments, mnemonics (execution, section 3, Items).
+//! The items of a block: words, assignments, mnemonics (execution, chapter 3, Items).
 
 use turnspec_oracle::vocabulary::rule_ids::*;
 use turnspec_oracle::vocabulary::{AlarmName, Label};

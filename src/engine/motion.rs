@@ -1,4 +1,4 @@
-//! Motion: one element from its target to its event (execution, section 5, Motion).
+//! Motion: one element from its target to its event (execution, chapter 5, Motion).
 
 use turnspec_oracle::vocabulary::rule_ids as rules;
 use turnspec_oracle::vocabulary::{

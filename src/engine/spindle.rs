@@ -1,4 +1,4 @@
-//! S, SA, SB and the spindle speed (execution, section 8).
+//! S, SA, SB and the spindle speed (execution, chapter 8).
 
 use std::cmp::Ordering;
 

@@ -1,4 +1,4 @@
-//! Torque skip G22 (execution, section 5, Dwell, torque skip).
+//! Torque skip G22 (execution, chapter 5, Dwell, torque skip).
 
 use turnspec_oracle::vocabulary::rule_ids as rules;
 use turnspec_oracle::vocabulary::{AlarmName, Feed, FeedRate, Label, ReadingSet, RuleId, Sink};

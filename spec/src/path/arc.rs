@@ -1,6 +1,6 @@
 //! G02 and G03 (E100L-CIRC-01 to -20).
 
-use super::element::{Axes, check_range, coordinate_readings, coordinate_rules, go, with_speed};
+use super::element::{Axes, Beyond, check_range, coordinate_readings, coordinate_rules, go, with_speed};
 use super::plane::{Point, Vector, latch};
 use super::target::Origin;
 use crate::emission::Emission;
@@ -49,7 +49,7 @@ pub fn element(
     let target = Amounts { x: end.0, z: end.1, ..Amounts::default() };
     check_range(target, axes, state.setup)?;
     let (feed, feed_rules) = crate::modal::active_feed(state)?;
-    let (motion, _) = go(target, axes, false, state)?;
+    let (motion, _) = go(target, axes, Beyond::Refused, state)?;
     state.cut_last = true;
     let action = Action::Arc { motion, feed, sense, centre_x: Length(centre.0), centre_z: Length(centre.1) };
     let event = Emission::new(action, coordinate_rules(plan).union(feed_rules).union(rules));

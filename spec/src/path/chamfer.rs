@@ -3,7 +3,7 @@
 //! A start, C programmed corner, B and D start and end of the chamfer, E end of the next line.
 
 use super::arc;
-use super::element::{Axes, LINEAR, check_range, line};
+use super::element::{Axes, Beyond, LINEAR, check_range, line};
 use super::plane::{Point, Vector, latch};
 use super::target::{Ahead, Origin, angle_end, line_end, next_block, origin};
 use crate::emission::Emission;
@@ -55,12 +55,14 @@ pub fn chamfer(
     let rules = RuleSet::of(&[CHAM_12, corner.rule]).union(end.rules).union(base_rules);
     let readings = end.readings.union(base_readings).union(corner.readings);
     if let Some(point) = corner.line_to {
-        let event = line(amounts(point), corner.axes, rules.union(LINEAR), plan, state)?;
+        let event = line(amounts(point), corner.axes, Beyond::Replaced, rules.union(LINEAR), plan, state)?;
         emissions.push(event.readings(readings));
     }
     if let Some((join, point)) = corner.join {
         let event = match join {
-            Join::Face => line(amounts(point), Axes::PLANE, rules.union(LINEAR), plan, state)?,
+            Join::Face => {
+                line(amounts(point), Axes::PLANE, Beyond::Replaced, rules.union(LINEAR), plan, state)?
+            }
             Join::Rounding { centre, sense } => {
                 let rules = rules.union(RuleSet::of(&[CIRC_02, CIRC_09]));
                 arc::element(point, centre, sense, Axes::PLANE, plan, rules, state)?

@@ -29,6 +29,17 @@ impl Axes {
     pub const PLANE: Self = Self { x: true, z: true, w: false, c: None };
 }
 
+/// What happens to a target beyond its range or a travel limit.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Beyond {
+    /// The positive limit replaces it (E100L-LIM-01).
+    Replaced,
+    /// It alarms.
+    Refused,
+    /// It was tested before.
+    Allowed,
+}
+
 /// E100L-ADDR-01: a target that no coordinate word could name, on the axes that go there.
 pub fn check_range(target: Amounts, axes: Axes, setup: &Setup) -> Outcome<()> {
     let largest = units::largest_length(setup.unit_system);
@@ -61,9 +72,9 @@ pub fn coordinate_readings(plan: &Plan, setup: &Setup) -> ReadingSet {
     }
 }
 
-/// Moves the machine to a program position and describes the motion. `clamped`: the positive limits replace
-/// the target (E100L-LIM-01), else they alarm; the second result tells whether one did.
-pub fn go(target: Amounts, axes: Axes, clamped: bool, state: &mut State) -> Outcome<(Motion, bool)> {
+/// Moves the machine to a program position and describes the motion; the second result tells whether a limit
+/// replaced a coordinate.
+pub fn go(target: Amounts, axes: Axes, beyond: Beyond, state: &mut State) -> Outcome<(Motion, bool)> {
     let wanted = state.frame.to_machine(target);
     let mut machine = state.frame.machine;
     let mut replaced = false;
@@ -75,12 +86,13 @@ pub fn go(target: Amounts, axes: Axes, clamped: bool, state: &mut State) -> Outc
     ];
     for (moves, limit, wanted, place) in commanded {
         if moves {
-            if !clamped {
-                limit.check(wanted)?;
-            }
-            let (allowed, beyond) = limit.clamp(wanted)?;
+            let (allowed, exceeds) = match beyond {
+                Beyond::Replaced => limit.clamp(wanted)?,
+                Beyond::Refused => (limit.check(wanted).map(|()| wanted)?, false),
+                Beyond::Allowed => (wanted, false),
+            };
             *place = allowed;
-            replaced |= beyond;
+            replaced |= exceeds;
         }
     }
     if axes.c.is_some() {
@@ -147,14 +159,17 @@ pub const LINEAR: RuleSet = RuleSet::of(&[G01_01, G01_02]);
 pub fn line(
     target: Amounts,
     axes: Axes,
+    beyond: Beyond,
     rules: RuleSet,
     plan: &Plan,
     state: &mut State,
 ) -> Outcome<Emission> {
-    check_range(target, axes, state.setup)?;
+    if beyond != Beyond::Allowed {
+        check_range(target, axes, state.setup)?;
+    }
     let (feed, feed_rules) = crate::modal::active_feed(state)?;
     let from = state.frame.machine;
-    let (motion, replaced) = go(target, axes, true, state)?;
+    let (motion, replaced) = go(target, axes, beyond, state)?;
     let (path, path_rules, path_readings) = feed_path(from, state.frame.machine, axes.c, state.setup);
     state.cut_last = true;
     let rules = rules.union(feed_rules).union(coordinate_rules(plan)).union(path_rules);

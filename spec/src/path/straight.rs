@@ -1,7 +1,7 @@
 //! G00 and G01 (E100L-G00-01 to -04, E100L-G01-01 to -04), with the C axis (E100L-CAX-02, -05 to -07).
 
 use super::element::{
-    Axes, LINEAR, check_range, coordinate_readings, coordinate_rules, go, line, with_speed,
+    Axes, Beyond, LINEAR, check_range, coordinate_readings, coordinate_rules, go, line, with_speed,
 };
 use super::target::{Ahead, angle_end, line_end, origin};
 use crate::emission::Emission;
@@ -47,13 +47,13 @@ pub fn straight(
         }
     }
     let event = if plan.motion() == 0 {
-        let (motion, replaced) = go(target, axes, true, state)?;
+        let (motion, replaced) = go(target, axes, Beyond::Replaced, state)?;
         state.cut_last = false;
         let rules = RuleSet::of(&[G00_01]).union(coordinate_rules(plan)).union(rules);
         let event = Emission::new(Action::Rapid { motion }, rules).rule_if(replaced, LIM_01);
         with_speed(event.readings(coordinate_readings(plan, state.setup)), true, state)
     } else {
-        line(target, axes, rules.union(LINEAR), plan, state)?
+        line(target, axes, Beyond::Replaced, rules.union(LINEAR), plan, state)?
     };
     emissions.push(event.readings(readings));
     if plan.is_angle_only()

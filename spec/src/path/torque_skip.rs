@@ -1,6 +1,6 @@
 //! G22 (E100L-TRQ-03 to -07): feed toward a stop until the torque reaches its preset value.
 
-use super::element::{Axes, check_range, line};
+use super::element::{Axes, Beyond, check_range, line};
 use crate::emission::Emission;
 use crate::fault::{Fault, Outcome, fail};
 use crate::frame::Amounts;
@@ -67,13 +67,13 @@ fn way(plan: &Plan, state: &State) -> Outcome<Way> {
     let word = words.get('W').or(words.get('Z')).unwrap_or(0);
     let target = if plan.modes.incremental() { of(state.frame.program()) + word } else { word };
     let target = Amounts { z: target, w: target, ..Amounts::default() };
-    check_range(target, axes(on_w), state.setup)?;
     let (start, goal) = (of(state.frame.machine), of(state.frame.to_machine(target)));
     let (before, beyond) = (words.get('D').unwrap_or(0), words.get('L').unwrap_or(0));
     let direction = (goal - start).signum();
     if direction == 0 || before > (goal - start).abs() {
         return Err(Fault::about(AlarmName::Unspecified, TRQ_04, "approach"));
     }
+    check_range(target, axes(on_w), state.setup)?;
     Ok(Way { on_w, start, goal, approach: goal - direction * before, end: goal + direction * beyond })
 }
 
@@ -121,7 +121,8 @@ fn feed_to(
     let mut machine = state.frame.machine;
     *(if way.on_w { &mut machine.w } else { &mut machine.z }) = place;
     let rules = RuleSet::of(&[TRQ_03, TRQ_04]);
-    let mut event = line(state.frame.to_program(machine), axes(way.on_w), rules, plan, state)?;
+    let target = state.frame.to_program(machine);
+    let mut event = line(target, axes(way.on_w), Beyond::Allowed, rules, plan, state)?;
     if let (true, Action::Linear { feed, .. }) = (slow, &mut event.action) {
         feed.value = FeedRate(round_narrow(&ratio(feed.value.0, 5)));
     }
