@@ -11,9 +11,6 @@ use crate::syntax::{Body, Item, ItemKind, Source, parse};
 use crate::vocabulary::rule_ids::*;
 use crate::vocabulary::{Action, AlarmName, Ending, Event, Label, Place, ReadingSet, Setup, Sink};
 
-/// How many blocks a corner may need beyond its own (E100L-ANG-05, E100L-ANG-06).
-const LOOK_AHEAD: usize = 2;
-
 /// A run of the oracle, block by block.
 pub struct Run<'a> {
     source: Source<'a>,
@@ -185,25 +182,24 @@ impl<'a> Run<'a> {
     /// What a corner needs of the blocks behind it: evaluated once, and kept for their turn.
     fn look_ahead(&mut self, plan: &Plan) -> Outcome<Vec<Ahead>> {
         let mut ahead = Vec::new();
-        let mut before = plan.clone();
-        let mut needs_next = before.is_angle_only() || is_any_angle_chamfer(plan, self.setup);
-        while needs_next && ahead.len() < LOOK_AHEAD {
-            let index = ahead.len();
-            let next = self.peek(index, &before)?;
-            let Some((next, place)) = next else {
-                ahead.push(Ahead::Nothing);
-                break;
-            };
-            // An angle-only block itself needs no more than the block after it.
-            needs_next = next.is_angle_only() && !plan.is_angle_only();
-            before = next.clone();
-            ahead.push(Ahead::Block(Box::new(next), place));
+        if !plan.is_angle_only() && !is_any_angle_chamfer(plan, self.setup) {
+            return Ok(ahead);
+        }
+        let next = self.peek(0, plan)?;
+        ahead.extend(next.clone());
+        let (next, _) = path::next_block(plan, &ahead)?;
+        // E100L-ANG-06: an angle-only line ends on the line of the block after it; when that line is the one
+        // behind a corner, its own end needs one block more.
+        if next.is_angle_only() && !plan.is_angle_only() {
+            let next = next.clone();
+            ahead.extend(self.peek(1, &next)?);
         }
         Ok(ahead)
     }
 
-    /// The block `index` places further, checked as the one after `before`.
-    fn peek(&mut self, index: usize, before: &Plan) -> Outcome<Option<(Plan, Place)>> {
+    /// The block `index` places further, checked as the one after `before`; none if there is nothing that a
+    /// corner could be computed from.
+    fn peek(&mut self, index: usize, before: &Plan) -> Outcome<Option<Ahead>> {
         if self.waiting.len() <= index {
             let mut place = Place::default();
             let read = self.read(&mut place).map_err(|fault| fault.of_block(place))?;
@@ -223,7 +219,7 @@ impl<'a> Run<'a> {
         let words = words.as_ref().clone();
         let modes: Modes = before.modes;
         let plan = modal::check(words, modes, before.is_angle_only(), &self.state);
-        plan.map(|plan| Some((plan, place))).map_err(|fault| fault.of_block(place))
+        plan.map(|plan| Some(Ahead { plan, place })).map_err(|fault| fault.of_block(place))
     }
 }
 

@@ -100,6 +100,16 @@ impl Interpreter<'_> {
     #[inline]
     fn length(&self, number: Number, signed: bool) -> Result<i64, Fault> {
         let units = &self.units;
+        if let Number::Decimal { digits, scale, .. } = number
+            && let Some(unit @ 1..) = units.last_digit.get(usize::from(scale)).copied()
+        {
+            // Nothing to round: at most eight digits of at most 10 000 000 nm.
+            let value = digits * unit;
+            if value > units.longest || value < if signed { -units.longest } else { 0 } {
+                return Fault::raise(AlarmName::AddressRange, ADDR_01);
+            }
+            return Ok(value);
+        }
         ranged(number, units.length, if signed { -units.longest } else { 0 }, units.longest, ADDR_01)?;
         let inch_increments = self.setup.readings.inch_conversion == InchConversion::InchIncrement;
         let increment = if units.inch && inch_increments { 2540 } else { 1000 };
@@ -249,7 +259,12 @@ fn ranged(number: Number, unit: i64, low: i64, high: i64, rule: RuleId) -> Resul
 }
 
 /// The value of an address that takes whole numbers.
+#[inline]
 fn whole(number: Number, low: i64, high: i64, rule: RuleId) -> Result<i64, Fault> {
+    if let Number::Decimal { digits, scale: 0, .. } = number {
+        let fits = (low..=high).contains(&digits);
+        return if fits { Ok(digits) } else { Fault::raise(AlarmName::AddressRange, rule) };
+    }
     ranged(number, 1, low, high, rule)?;
     Ok(number.whole(1, Rounding::HalfAway))
 }

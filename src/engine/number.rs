@@ -176,6 +176,9 @@ pub fn quotient(value: i64, divisor: i64) -> f64 {
 pub struct Units {
     /// Nanometres of a written length 1.
     pub length: i64,
+    /// Nanometres of the last digit of a plain metric length with so many decimals, where that is a whole
+    /// number of increments; else 0.
+    pub last_digit: [i64; 9],
     /// Micro-degrees of a written angle 1.
     pub angle: i64,
     /// Picometres of a written feed 1, per minute and per revolution.
@@ -208,7 +211,11 @@ impl Units {
         } else {
             (Setup::COORDINATE, [1_000_000, 99_999_999 * 1_000_000], 1_000_000)
         };
-        Self { length, angle, feed, time, surface, inch, longest, feeds }
+        let last_digit = std::array::from_fn(|decimals| {
+            let exact = !inch && length % (1000 * TEN[decimals]) == 0;
+            if exact { length / TEN[decimals] } else { 0 }
+        });
+        Self { length, last_digit, angle, feed, time, surface, inch, longest, feeds }
     }
 }
 

@@ -72,7 +72,7 @@ pub fn chamfer(
     }
     state.base = Some(Base { corner: corner_point, whole: !basic });
     if plan.is_angle_only()
-        && let Some(Ahead::Block(next, _)) = ahead.first()
+        && let Some(Ahead { plan: next, .. }) = ahead.first()
     {
         state.angle_target = Some(angle_end(next, origin.incremental));
     }

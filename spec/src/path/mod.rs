@@ -12,7 +12,7 @@ mod torque_skip;
 use chamfer::chamfer;
 pub use plane::Point;
 use straight::straight;
-pub use target::Ahead;
+pub use target::{Ahead, next_block};
 use torque_skip::torque_skip;
 
 use crate::emission::Emission;

@@ -57,7 +57,7 @@ pub fn straight(
     };
     emissions.push(event.readings(readings));
     if plan.is_angle_only()
-        && let Some(Ahead::Block(next, _)) = ahead.first()
+        && let Some(Ahead { plan: next, .. }) = ahead.first()
     {
         state.angle_target = Some(angle_end(next, origin.incremental));
     }

@@ -12,11 +12,11 @@ use crate::vocabulary::{AlarmName, IncrementalAfterChamfer, Place, ReadingSet, R
 
 /// A block that look-ahead has read.
 #[derive(Clone, Debug)]
-pub enum Ahead {
-    /// A block, with what it holds.
-    Block(Box<Plan>, Place),
-    /// Nothing that a corner could be computed from: an assignment, or the end of the program.
-    Nothing,
+pub struct Ahead {
+    /// What it holds.
+    pub plan: Plan,
+    /// Where it stands.
+    pub place: Place,
 }
 
 /// The end of a line: X (as a diameter) and Z, with the rules and readings that led there.
@@ -132,7 +132,7 @@ pub fn lacks_data(plan: &Plan) -> Fault {
 
 /// The block after one that needs it, if it is a line of the turning plane and nothing more.
 pub fn next_block<'p>(plan: &Plan, ahead: &'p [Ahead]) -> Outcome<(&'p Plan, Place)> {
-    let Some(Ahead::Block(next, place)) = ahead.first() else { return Err(lacks_data(plan)) };
+    let Some(Ahead { plan: next, place }) = ahead.first() else { return Err(lacks_data(plan)) };
     let chamfer = plan.is_chamfer();
     let motion = next.motion();
     if motion != 1 && chamfer {

@@ -22,8 +22,9 @@ impl Label {
     #[must_use]
     pub fn from_bytes(text: &[u8]) -> Self {
         let mut label = Self::default();
-        for &byte in text.iter().take(label.bytes.len()) {
-            label.push(byte);
+        for (slot, byte) in label.bytes.iter_mut().zip(text) {
+            *slot = if byte.is_ascii_graphic() { *byte } else { b'?' };
+            label.length += 1;
         }
         label
     }
