@@ -50,12 +50,12 @@ fn every_rule_has_one_text() {
 }
 
 #[test]
-fn core_rules_have_examples() {
+fn rules_have_examples() {
     let mut found = Vec::new();
-    for rule in rules().iter().filter(|rule| rule.level == "core") {
+    for rule in rules() {
         let accepting = rule.examples.iter().any(|example| !example.trace.contains("alarm name="));
         let only_alarms = !rule.alarms.is_empty() && !rule.examples.is_empty();
-        if !accepting && !only_alarms {
+        if !accepting && !only_alarms && rule.level != "listed" {
             found.push(format!("{} has no accepting example", rule.id));
         }
         for alarm in &rule.alarms {
