@@ -187,12 +187,14 @@ impl<'a> Run<'a> {
         }
         let next = self.peek(0, plan)?;
         ahead.extend(next.clone());
-        let (next, _) = path::next_block(plan, &ahead)?;
+        let (next, place) = path::next_block(plan, &ahead)?;
         // E100L-ANG-06: an angle-only line ends on the line of the block after it; when that line is the one
         // behind a corner, its own end needs one block more.
         if next.is_angle_only() && !plan.is_angle_only() {
             let next = next.clone();
-            ahead.extend(self.peek(1, &next)?);
+            let further = self.peek(1, &next)?;
+            path::next_block(&next, further.as_slice()).map_err(|fault| fault.of_block(place))?;
+            ahead.extend(further);
         }
         Ok(ahead)
     }

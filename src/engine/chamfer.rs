@@ -132,11 +132,14 @@ impl Interpreter<'_> {
         let base = self.state.base.take();
         let angle_target = self.state.angle_target.take();
         let words = &slot.words;
+        let basic = self.setup.parameters.chamfering == Chamfering::Basic;
+        if !basic {
+            self.look_beyond(slot, plan, sink)?;
+        }
         let end = self.line_end(slot, plan, base, angle_target, sink)?;
         let corner = end.point;
         let size = words.get(Address::L).unwrap_or_default();
         let rounding = plan.one_shot == OneShot::Rounding;
-        let basic = self.setup.parameters.chamfering == Chamfering::Basic;
         let shape = match (basic, rounding) {
             (true, false) => cite::CHAM_03,
             (true, true) => cite::CHAM_11,
@@ -159,7 +162,7 @@ impl Interpreter<'_> {
         } else {
             let beyond = match end.beyond {
                 Some(point) => point,
-                None => self.end_of_next(slot, plan, corner, sink)?,
+                None => self.end_of_next(corner)?,
             };
             let named = if rounding { end.readings } else { end.readings.union(self.known.leg) };
             self.any_corner(end.anchor, corner, beyond, size, rounding, (line, second), named)?
@@ -329,16 +332,23 @@ impl Interpreter<'_> {
         Point { x: round(&x, &mut self.slow), z: round(&z, &mut self.slow) }
     }
 
-    /// The end of the line of the next block, which begins at the corner of this one.
-    fn end_of_next(
-        &mut self,
-        slot: &Slot,
-        plan: Plan,
-        corner: Point,
-        sink: &mut impl Sink,
-    ) -> Result<Point, Fault> {
+    /// Reads the blocks that the corner needs: the next one, and the one after it when the next one has an
+    /// angle alone.
+    fn look_beyond(&mut self, slot: &Slot, plan: Plan, sink: &mut impl Sink) -> Result<(), Fault> {
         let need = Need { chamfer: true, only_angle: plan.only_angle, place: slot.place };
         self.look_ahead(0, need, self.state.motion, sink)?;
+        let next = &self.ahead[0];
+        let only_angle = Course::of(&next.words, self.state.incremental).only_angle().is_some();
+        if plan.only_angle || !only_angle {
+            return Ok(());
+        }
+        let chamfer = next.words.has_g(75) || next.words.has_g(76);
+        let need = Need { chamfer, only_angle: true, place: next.place };
+        self.look_ahead(1, need, self.state.motion, sink)
+    }
+
+    /// The end of the line of the next block, which begins at the corner of this one.
+    fn end_of_next(&mut self, corner: Point) -> Result<Point, Fault> {
         let next = &self.ahead[0];
         let place = next.place;
         let incremental = Course::mode(&next.words, self.state.incremental);
@@ -346,9 +356,6 @@ impl Interpreter<'_> {
         let end = match course.only_angle() {
             None => course.end(corner, corner, &mut self.slow),
             Some(angle) => {
-                let chamfer = next.words.has_g(75) || next.words.has_g(76);
-                let need = Need { chamfer, only_angle: true, place };
-                self.look_ahead(1, need, self.state.motion, sink)?;
                 let after = &self.ahead[1].words;
                 let course = Course::of(after, Course::mode(after, incremental));
                 self.crossing(corner, angle, &course).map(|(end, _)| end)

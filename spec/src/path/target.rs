@@ -112,11 +112,9 @@ fn meeting_point(
     ahead: &[Ahead],
 ) -> Outcome<Point> {
     let (next, _) = next_block(plan, ahead)?;
-    let second =
-        next.words.get('A').filter(|_| next.words.get('X').is_some() && next.words.get('Z').is_some());
-    let Some(second) = second else { return Err(lacks_data(plan)) };
+    let second = Inclination(next.words.get('A').unwrap_or(0));
     let end = angle_end(next, origin.incremental);
-    meeting(start, inclination, &Vector::at(end), Inclination(second))
+    meeting(start, inclination, &Vector::at(end), second)
 }
 
 /// The end point of the block after an angle-only block; incremental words count from the start of that one.
@@ -126,7 +124,7 @@ pub fn angle_end(next: &Plan, base: Point) -> Point {
 }
 
 /// E100L-ANG-05, E100L-ANG-06: the next block lacks the data of the corner.
-pub fn lacks_data(plan: &Plan) -> Fault {
+fn lacks_data(plan: &Plan) -> Fault {
     Fault::new(AlarmName::AngleLookahead, if plan.is_chamfer() { ANG_05 } else { ANG_06 })
 }
 
@@ -145,7 +143,10 @@ pub fn next_block<'p>(plan: &Plan, ahead: &'p [Ahead]) -> Outcome<(&'p Plan, Pla
         _ => false,
     };
     let others_fit = next.words.others.iter().all(fits);
-    if motion > 1 || !g_fits || !others_fit || !next.words.has_any("XZA") {
+    // E100L-ANG-06: an angle alone needs a whole line to meet.
+    let complete = "XZA".chars().all(|letter| next.words.get(letter).is_some());
+    let enough = if plan.is_angle_only() { complete } else { next.words.has_any("XZA") };
+    if motion > 1 || !g_fits || !others_fit || !enough {
         return Err(lacks_data(plan));
     }
     Ok((next, *place))
