@@ -2,7 +2,7 @@
 //!
 //! It shares with the reference only the vocabulary. A program is read block by block and never held as a
 //! whole; memory grows with the number of distinct sequence names alone. Coordinates are exact integers;
-//! what leaves the rationals is rounded for certain (see [`exact`]).
+//! what leaves the rationals is rounded for certain (module `exact`).
 
 mod ahead;
 mod angle;
