@@ -101,8 +101,10 @@ fn zero_shift(plan: &Plan, state: &mut State, emissions: &mut Vec<Emission>) {
         let shift = &mut state.frame.zero_shift;
         shift.x += words.get('X').map_or(0, |value| present.x - value);
         shift.z += words.get('Z').map_or(0, |value| present.z - value);
-        // Whole turns say nothing of a rotary axis.
-        shift.c = (shift.c + words.get('C').map_or(0, |value| present.c - value)) % FULL_TURN;
+        if let Some(value) = words.get('C') {
+            // Whole turns say nothing of a rotary axis.
+            shift.c = (shift.c + present.c - value) % FULL_TURN;
+        }
         shift.w += words.get('W').map_or(0, |value| present.w - value);
         let rules = RuleSet::of(&[G50_01, G50_02, G50_03, G50_04]);
         let event = Emission::new(state.frame.event(FrameCause::ZeroShift), rules);

@@ -29,8 +29,13 @@ impl Real for Approx {
     type Precision = ();
 
     fn integer(value: i128, (): ()) -> Self {
-        let error = if value.unsigned_abs() <= 1 << 53 { 0.0 } else { value as f64 * UNIT };
-        Self { value: value as f64, error: error.abs() }
+        if let Ok(narrow) = i64::try_from(value)
+            && narrow.unsigned_abs() <= 1 << 53
+        {
+            return Self { value: narrow as f64, error: 0.0 };
+        }
+        let value = value as f64;
+        Self { value, error: (value * UNIT).abs() }
     }
 
     fn plus(&self, other: &Self) -> Self {

@@ -48,20 +48,27 @@ fn times(a: i128, b: i128) -> i128 {
     if (a < 0) == (b < 0) { size } else { -size }
 }
 
-/// Sine and cosine of radians of at most 1 in size.
+/// 1/k! as far as it shows, each cut.
+const INVERSE_FACTORIALS: [i128; 34] = {
+    let mut inverse = [ONE; 34];
+    let mut index = 1;
+    while index < 34 {
+        inverse[index] = inverse[index - 1] / index as i128;
+        index += 1;
+    }
+    inverse
+};
+
+/// Sine and cosine of radians of at most 1 in size: the alternating series, from their last terms on. Every
+/// step cuts off less than 3 units of the last place, which those after it do not enlarge.
 fn series(radians: i128) -> (i128, i128) {
     let square = times(radians, radians);
-    let (mut sine, mut cosine) = (radians, ONE);
-    let (mut odd, mut even) = (radians, ONE);
-    let mut power = 1;
-    while even != 0 {
-        even = -times(even, square) / (power * (power + 1));
-        odd = -times(odd, square) / ((power + 1) * (power + 2));
-        cosine += even;
-        sine += odd;
-        power += 2;
+    let (mut sine, mut cosine) = (0, 0);
+    for pair in INVERSE_FACTORIALS.rchunks_exact(2) {
+        cosine = pair[0] - times(cosine, square);
+        sine = pair[1] - times(sine, square);
     }
-    (sine, cosine)
+    (times(radians, sine), cosine)
 }
 
 /// Turns sine and cosine of the rest into those of the whole angle: so many quarter turns more.
@@ -227,6 +234,13 @@ fn quotient(numerator: u128, denominator: u128) -> (u128, i32) {
     (result, 124 + up.cast_signed() - down.cast_signed())
 }
 
+/// The quotient of two mantissas of at most 53 bits, 124 digits after its point, cut.
+fn mantissa_quotient(numerator: u64, denominator: u64) -> u128 {
+    let (scaled, divisor) = (u128::from(numerator) << 64, u128::from(denominator));
+    let rest = (scaled % divisor) << 60;
+    ((scaled / divisor) << 60) | (rest / divisor)
+}
+
 /// The tangent of finite degrees, rounded once; `None` at odd multiples of 90.
 pub fn tangent(degrees: f64, slow: &mut SlowPaths) -> Option<f64> {
     let (quarters, rest) = reduced(degrees);
@@ -281,10 +295,9 @@ fn fixed_arc_tangent(up: f64, along: f64, left: bool) -> Option<f64> {
     const DEGREE_DIGITS: i32 = 118;
     let (small, large, steep) = if up < along { (up, along, false) } else { (along, up, true) };
     let (a, b) = (Double::new(small), Double::new(large));
-    let (ratio, digits) =
-        quotient(u128::from(a.mantissa.unsigned_abs()), u128::from(b.mantissa.unsigned_abs()));
-    // The ratio is ratio * 2^-digits * 2^(a.exponent - b.exponent), at most 1.
-    let shift = u32::try_from(digits - a.exponent + b.exponent - 124).ok()?;
+    let ratio = mantissa_quotient(a.mantissa.unsigned_abs(), b.mantissa.unsigned_abs());
+    // The ratio is ratio * 2^-124 * 2^(a.exponent - b.exponent), at most 1.
+    let shift = u32::try_from(b.exponent - a.exponent).ok()?;
     let ratio = ratio.checked_shr(shift)?.cast_signed();
     if ratio < 1 << 80 {
         return None;
