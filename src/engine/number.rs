@@ -102,6 +102,18 @@ impl Number {
             // Less than half a unit by far.
             return if rule == Rounding::Up { value.signum() as i64 } else { 0 };
         }
+        if let (Ok(cut), Ok(narrow)) = (u64::try_from(value.unsigned_abs() >> twos), u64::try_from(divisor)) {
+            // The bits cut off do not change the quotient, only the rest.
+            let quotient = cut / narrow;
+            let rest = value.unsigned_abs() - ((u128::from(quotient) * u128::from(narrow)) << twos);
+            let away = match rule {
+                Rounding::HalfAway => 2 * rest >= u128::from(narrow) << twos,
+                Rounding::Cut => false,
+                Rounding::Up => rest != 0,
+            };
+            let size = i64::try_from(quotient + u64::from(away)).unwrap_or(i64::MAX);
+            return if value < 0 { -size } else { size };
+        }
         i64::try_from(rule.divide(value, divisor << twos)).unwrap_or(i64::MAX)
     }
 
