@@ -58,16 +58,26 @@ impl Interpreter<'_> {
                     1 => with!(G01_01),
                     _ => with!(CIRC_01),
                 };
-                ("motion", previous, previous != code, rules)
+                (const { Label::new("motion") }, previous, previous != code, rules)
             }
-            64 => ("droop", 65, flag(&mut state.droop_control, false), with!(DROOP_02)),
-            65 => ("droop", 64, flag(&mut state.droop_control, true), with!(DROOP_01)),
-            90 => ("dimension", 91, flag(&mut state.incremental, false), with!(ABS_01)),
-            91 => ("dimension", 90, flag(&mut state.incremental, true), with!(ABS_02)),
-            94 => ("feed_unit", 95, flag(&mut state.per_minute, true), with!(FEED_02)),
-            95 => ("feed_unit", 94, flag(&mut state.per_minute, false), with!(FEED_01)),
-            96 => ("cutting_speed", 97, flag(&mut state.constant_speed, true), with!(CSS_01)),
-            97 => ("cutting_speed", 96, flag(&mut state.constant_speed, false), with!(CSS_02)),
+            64 => (const { Label::new("droop") }, 65, flag(&mut state.droop_control, false), with!(DROOP_02)),
+            65 => (const { Label::new("droop") }, 64, flag(&mut state.droop_control, true), with!(DROOP_01)),
+            90 => (const { Label::new("dimension") }, 91, flag(&mut state.incremental, false), with!(ABS_01)),
+            91 => (const { Label::new("dimension") }, 90, flag(&mut state.incremental, true), with!(ABS_02)),
+            94 => (const { Label::new("feed_unit") }, 95, flag(&mut state.per_minute, true), with!(FEED_02)),
+            95 => (const { Label::new("feed_unit") }, 94, flag(&mut state.per_minute, false), with!(FEED_01)),
+            96 => (
+                const { Label::new("cutting_speed") },
+                97,
+                flag(&mut state.constant_speed, true),
+                with!(CSS_01),
+            ),
+            97 => (
+                const { Label::new("cutting_speed") },
+                96,
+                flag(&mut state.constant_speed, false),
+                with!(CSS_02),
+            ),
             _ => return,
         };
         if changed {
@@ -75,9 +85,9 @@ impl Interpreter<'_> {
         }
     }
 
-    fn emit_mode(&mut self, sink: &mut impl Sink, group: &str, code: u16, previous: u16, rules: RuleSet) {
+    fn emit_mode(&mut self, sink: &mut impl Sink, group: Label, code: u16, previous: u16, rules: RuleSet) {
         let action = Action::Mode {
-            group: Label::new(group),
+            group,
             code: Label::of_code(b'G', code),
             previous: Label::of_code(b'G', previous),
         };
@@ -182,7 +192,7 @@ impl Interpreter<'_> {
         ];
         for (changed, group, code, previous, rules) in changes {
             if changed {
-                self.emit_mode(sink, group, code, previous, rules);
+                self.emit_mode(sink, Label::new(group), code, previous, rules);
             }
         }
         if std::mem::take(&mut self.state.zero_shift) != [0; 4] {

@@ -14,19 +14,20 @@ pub struct Label {
 impl Label {
     /// The label of some text.
     #[must_use]
-    pub fn new(text: &str) -> Self {
+    pub const fn new(text: &str) -> Self {
         Self::from_bytes(text.as_bytes())
     }
 
     /// The label of ASCII bytes.
     #[must_use]
-    pub fn from_bytes(text: &[u8]) -> Self {
-        let mut label = Self::default();
-        for (slot, byte) in label.bytes.iter_mut().zip(text) {
-            *slot = if byte.is_ascii_graphic() { *byte } else { b'?' };
-            label.length += 1;
+    pub const fn from_bytes(text: &[u8]) -> Self {
+        let mut bytes = [0; 23];
+        let mut length = 0;
+        while length < bytes.len() && length < text.len() {
+            bytes[length] = if text[length].is_ascii_graphic() { text[length] } else { b'?' };
+            length += 1;
         }
-        label
+        Self { bytes, length: length as u8 }
     }
 
     /// The label of a code: its letter and at least two digits, such as `G01` or `M110`.
