@@ -13,6 +13,7 @@ use super::words::{Address, Code, Function, Item, Operand, Operation, Parsed, Sl
 
 impl Interpreter<'_> {
     /// Evaluates the items of a block; its assignments are carried out at once.
+    #[inline]
     pub(super) fn evaluate(&mut self, slot: &mut Slot, sink: &mut impl Sink) -> Result<(), Fault> {
         let Slot { parsed, words, .. } = slot;
         words.clear();
@@ -56,6 +57,7 @@ impl Interpreter<'_> {
     }
 
     /// Takes one word into the block.
+    #[inline]
     fn word(&self, words: &mut Words, address: Address, number: Number) -> Result<(), Fault> {
         match address {
             Address::G => return self.g_word(words, number),

@@ -252,7 +252,7 @@ impl<'a> Interpreter<'a> {
         self.emit_with(sink, rules, ReadingSet::default(), action);
     }
 
-    #[inline]
+    #[inline(always)]
     fn emit_with(&mut self, sink: &mut impl Sink, rules: RuleSet, readings: ReadingSet, action: Action) {
         self.ordinal += 1;
         sink.event(&Event { n: self.ordinal, block: self.place, rules, readings, action });

@@ -95,7 +95,7 @@ impl Interpreter<'_> {
     }
 
     /// Carries out one element.
-    #[inline]
+    #[inline(always)]
     pub(super) fn perform(&mut self, element: Element, sink: &mut impl Sink) -> Result<(), Fault> {
         let Element { kind, x, z, w, c, mut cites, mut readings, limited } = element;
         if !limited {
