@@ -8,6 +8,7 @@ use turnspec_oracle::vocabulary::{Label, Place, RuleSet};
 use turnspec_oracle::{Diagnostic, check};
 
 use super::book::Book;
+use super::format::Format;
 use super::input::Program;
 use super::report::Reporter;
 use super::{ColorChoice, Failure, Verdict, exit_status, setup_help};
@@ -31,12 +32,6 @@ pub struct Arguments {
     /// How the faults are printed.
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
-}
-
-#[derive(Clone, Copy, PartialEq, Eq, Debug, clap::ValueEnum)]
-enum Format {
-    Text,
-    Json,
 }
 
 /// A fault in JSON.

@@ -8,6 +8,7 @@ mod csv;
 mod excerpt;
 mod explain;
 mod failure;
+mod format;
 mod input;
 mod lockstep;
 mod machine;

@@ -9,6 +9,7 @@ use turnspec_oracle::book::RuleText;
 use turnspec_oracle::vocabulary::{AlarmName, Event, RuleId};
 
 use super::book::{Book, heading};
+use super::format::Format;
 use super::input::Program;
 use super::wrap::wrap;
 use super::{Failure, Verdict, exit_status};
@@ -42,12 +43,6 @@ pub struct Arguments {
     /// How the rules are printed.
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
-}
-
-#[derive(Clone, Copy, PartialEq, Eq, Debug, clap::ValueEnum)]
-enum Format {
-    Text,
-    Json,
 }
 
 /// A rule in JSON.

@@ -36,18 +36,14 @@ pub fn before_motion(plan: &Plan, state: &mut State, emissions: &mut Vec<Emissio
     if let Some(number) = words.get('T') {
         let (event, frame) = tool::command(number, plan.moves, state);
         emissions.push(event);
-        if state.is_active(124) {
-            check_time(&Timed::T, state)?;
-        }
+        check_time(&Timed::T, state.is_active(124), state)?;
         emissions.extend(frame.map(|frame| of_inch_block(frame, plan, state)));
     }
     for code in words.m.iter().filter(|code| !is_program_code(**code)) {
         // M124 itself is not checked, M125 still is.
-        let checked = state.is_active(124) && *code != 124;
+        let in_force = state.is_active(124) && *code != 124;
         emissions.push(miscellaneous::command(*code, plan, state)?);
-        if checked {
-            check_time(&Timed::M, state)?;
-        }
+        check_time(&Timed::M, in_force, state)?;
     }
     Ok(())
 }
@@ -129,9 +125,7 @@ fn spindle_words(plan: &Plan, state: &mut State, emissions: &mut Vec<Emission>) 
         let event = spindle::main_event(RuleSet::of(&[SPD_01]).union(order), with_motion, state);
         let event = event.rule_if(plan.moves, SPD_02).rule_if(!state.modes.cutting_speed(), CSS_02);
         emissions.push(event);
-        if state.is_active(124) {
-            check_time(&Timed::S, state)?;
-        }
+        check_time(&Timed::S, state.is_active(124), state)?;
     }
     if let Some(speed) = words.extended("SA") {
         emissions.push(spindle::c_axis_event(speed));

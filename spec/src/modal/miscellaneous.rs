@@ -86,14 +86,14 @@ pub enum Timed {
 }
 
 /// E100L-STM-01, E100L-STM-03: a function that takes longer than the limit, while M124 is in force.
-pub fn check_time(function: &Timed, state: &State) -> Outcome<()> {
+pub fn check_time(function: &Timed, in_force: bool, state: &State) -> Outcome<()> {
     let stm = &state.setup.stm;
     let time: Duration = match function {
         Timed::S => stm.s,
         Timed::T => stm.t,
         Timed::M => stm.m,
     };
-    if stm.enabled && time > stm.limit {
+    if in_force && stm.enabled && time > stm.limit {
         return fail(AlarmName::StmOver, STM_01);
     }
     Ok(())
