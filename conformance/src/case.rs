@@ -2,9 +2,9 @@
 
 use serde::{Deserialize, Serialize};
 use turnspec_oracle::vocabulary::notation::Expectation;
-use turnspec_oracle::vocabulary::{Control, Event, RuleId, Setup, SetupError};
+use turnspec_oracle::vocabulary::{Control, Event, Feature, RuleId, Setup, SetupError};
 
-use crate::{Feature, Figure, Flag};
+use crate::{Figure, Flag};
 
 /// One conformance case.
 #[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]

@@ -16,4 +16,4 @@ pub use figure::Figure;
 pub use files::cases;
 #[cfg(feature = "schema")]
 pub use schema::schemas;
-pub use tag::{Feature, Flag};
+pub use tag::Flag;

@@ -7,6 +7,7 @@
 mod alarm;
 mod decimal;
 mod event;
+mod feature;
 mod label;
 pub mod notation;
 mod place;
@@ -23,6 +24,7 @@ pub use event::{
     Action, Ending, Event, Feed, FeedUnit, FrameCause, Motion, Position, Sense, Sink, SpeedLimit, Spindle,
     SpindleName, SpindleState, Value,
 };
+pub use feature::Feature;
 pub use label::Label;
 pub use place::Place;
 pub use reading::{
