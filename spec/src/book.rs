@@ -245,11 +245,77 @@ fn unescape(text: &str) -> Vec<u8> {
 }
 
 #[cfg(test)]
+#[allow(clippy::expect_used, clippy::panic)]
 mod tests {
-    use super::unescape;
+    use super::{Reader, RuleText, unescape};
+
+    const RULE: &str = "# Chapter\n\n### E100L-G50-02 · Shift\n\n- source: section 4\n- basis: manual\n\
+                        - level: core\n- alarms: offset_with_g50, axis_missing\n\nFirst.\n\nSecond.\n";
+
+    fn read(text: &str) -> Result<Vec<RuleText>, String> {
+        Reader::new("e100l/test.md", text).chapter()
+    }
+
+    /// The fault of the rule with a piece replaced, without the name of the file.
+    fn fault(piece: &str, replacement: &str) -> String {
+        let fault = read(&RULE.replace(piece, replacement)).err().unwrap_or_default();
+        fault.strip_prefix("spec/rules/e100l/test.md:").unwrap_or_default().to_owned()
+    }
 
     #[test]
     fn escapes_are_bytes() {
         assert_eq!(unescape("X\\x0910\n"), b"X\t10\n");
+    }
+
+    #[test]
+    fn what_is_no_byte_stays_as_it_is() {
+        assert_eq!(unescape("A\\xZZ\\x4"), b"A\\ZZ\\4");
+    }
+
+    #[test]
+    fn a_rule_is_read_with_its_place() {
+        let rules = read(RULE).expect("a rule");
+        let [rule] = rules.as_slice() else { panic!("one rule") };
+        assert_eq!((rule.id.as_str(), rule.title.as_str(), rule.line), ("E100L-G50-02", "Shift", 3));
+        assert_eq!(
+            (rule.source.as_str(), rule.basis.as_str(), rule.level.as_str()),
+            ("section 4", "manual", "core")
+        );
+        let alarms: Vec<&str> = rule.alarms.iter().map(|alarm| alarm.as_str()).collect();
+        assert_eq!(alarms, ["offset_with_g50", "axis_missing"]);
+        assert_eq!(rule.statement, "First.\n\nSecond.");
+    }
+
+    #[test]
+    fn the_last_paragraph_before_a_program_introduces_it() {
+        let text = format!("{RULE}\nThird:\n\n```nc\nM02\n```\n\n```toml\nW\n```\n```trace\nend\n```\n");
+        let rules = read(&text).expect("a rule");
+        let rule = &rules[0];
+        assert_eq!(rule.statement, "First.\n\nSecond.");
+        let example = &rule.examples[0];
+        assert_eq!((example.introduction.as_str(), example.line), ("Third:", 16));
+        assert_eq!((example.program.as_slice(), example.setup.as_str()), (b"M02\n".as_slice(), "W\n"));
+        assert_eq!(example.trace, "end\n");
+    }
+
+    #[test]
+    fn faults_name_the_line() {
+        assert_eq!(fault(" · ", " - "), "3: heading without ` · `");
+        assert_eq!(fault("G50-02", "NONE-02"), "3: unknown rule id");
+        assert_eq!(fault("basis: ", "basis "), "6: property without `: `");
+        assert_eq!(fault("basis: manual", "basis: rumour"), "6: unknown property or value");
+        assert_eq!(fault("level: core", "level: odd"), "7: unknown property or value");
+        assert_eq!(fault("axis_missing", "nothing"), "8: unknown alarm");
+        for property in ["source: section 4\n- ", "basis: manual\n- ", "level: core\n- "] {
+            assert_eq!(fault(property, ""), "3: a rule needs source, basis and level");
+        }
+    }
+
+    #[test]
+    fn faults_of_examples_name_the_line() {
+        let behind = |text: &str| fault("Second.", text);
+        assert_eq!(behind("```nc\nM02\n"), "12: a fence that does not end");
+        assert_eq!(behind("```nc\nM02\n```"), "12: a program without trace");
+        assert_eq!(behind("```trace\nend\n```"), "12: a set-up or trace without program");
     }
 }

@@ -54,7 +54,7 @@ pub fn nearest_real(value: &Exact) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::{cut, nearest_real, of_real, raise, ratio, round};
+    use super::{cut, narrow, nearest_real, of_real, raise, ratio, round, whole};
 
     #[test]
     fn rounding_is_symmetric() {
@@ -65,6 +65,13 @@ mod tests {
             assert_eq!(round(&value), rounded.into(), "{value}");
             assert_eq!(cut(&value), cut_off.into(), "{value}");
             assert_eq!(raise(&value), raised.into(), "{value}");
+        }
+    }
+
+    #[test]
+    fn what_is_beyond_64_bits_keeps_its_sign() {
+        for (value, narrowed) in [(i128::MAX, i64::MAX), (i128::MIN, i64::MIN), (0, 0), (-7, -7)] {
+            assert_eq!(narrow(&whole(value).trunc()), narrowed);
         }
     }
 

@@ -33,6 +33,9 @@ fn examples_hold() {
             };
             let mut trace = Vec::new();
             turnspec_oracle::run(&example.program, &setup, &mut |event: &Event| trace.push(*event));
+            if let Some((ordinal, event)) = (1..).zip(&trace).find(|(ordinal, event)| event.n != *ordinal) {
+                found.push(format!("{place}: event {ordinal} is numbered {}", event.n));
+            }
             if let Err(divergence) = Expectation::parse(&example.trace).matches(&trace) {
                 found.push(format!("{place}: {divergence}"));
             }

@@ -73,8 +73,6 @@ fn select(code: u16, state: &mut State) -> Option<Emission> {
         95 => FEED_01,
         96 => CSS_01,
         97 => CSS_02,
-        110 => CSS_07,
-        13 => TUR_01,
         _ => GCODE_02,
     };
     Some(Emission::new(mode(group, code, previous), RuleSet::of(&[GCODE_02, rule])))

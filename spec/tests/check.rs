@@ -1,0 +1,73 @@
+//! `check` finds every fault of a program at once, and nothing in a program that runs.
+
+use turnspec_oracle::vocabulary::{AlarmName, Setup, TapeCode};
+use turnspec_oracle::{Diagnostic, check};
+
+/// Line, alarm and text at fault of each diagnostic.
+fn faults(program: &str) -> Vec<(u32, AlarmName, &str)> {
+    let found = check(program.as_bytes(), &Setup::default());
+    let text = |fault: &Diagnostic| &program[fault.span.start as usize..fault.span.end as usize];
+    found.iter().map(|fault| (fault.block.line, fault.alarm.name, text(fault))).collect()
+}
+
+#[test]
+fn a_program_that_runs_has_no_fault() {
+    assert_eq!(faults("G00 X1\nM02\n"), []);
+}
+
+#[test]
+fn every_fault_of_the_text_is_found() {
+    let program = "G00 X123456789\nG00 X1\nG00 Z987654321\nM02\n";
+    let expected = [(1, AlarmName::TooManyDigits, "X123456789"), (3, AlarmName::TooManyDigits, "Z987654321")];
+    assert_eq!(faults(program), expected);
+}
+
+/// The control would stop at line 1; a person wants to know of line 2, too.
+#[test]
+fn faults_of_the_text_before_the_one_that_stops_the_run_come_first() {
+    let program = "G01 X1\nG00 X123456789\nM02\n";
+    let expected = [(2, AlarmName::TooManyDigits, "X123456789"), (1, AlarmName::NoFeed, "G01 X1")];
+    assert_eq!(faults(program), expected);
+}
+
+#[test]
+fn a_fault_is_reported_once() {
+    assert_eq!(faults("G00 X1\nG00 X123456789\nM02\n"), [(2, AlarmName::TooManyDigits, "X123456789")]);
+}
+
+/// Two different alarms of one block are two faults; the same alarm of two blocks is, too.
+#[test]
+fn faults_differ_by_block_and_by_alarm() {
+    let program = "G00 X123456789\nG00 X123456789\nM02\n";
+    let expected = [(1, AlarmName::TooManyDigits, "X123456789"), (2, AlarmName::TooManyDigits, "X123456789")];
+    assert_eq!(faults(program), expected);
+}
+
+#[test]
+fn what_stands_behind_the_end_is_no_part_of_the_program() {
+    for end in ["M02", "M30", "G00 Z1 M2"] {
+        assert_eq!(faults(&format!("G01 X1\n{end}\nG00 X123456789\n")), [(1, AlarmName::NoFeed, "G01 X1")]);
+    }
+    for word in ["M03", "G02", "T30"] {
+        let found = faults("G01 X1\nWORD\nG00 X123456789\nM02\n".replace("WORD", word).leak());
+        assert!(found.contains(&(3, AlarmName::TooManyDigits, "X123456789")), "{word}: {found:?}");
+    }
+}
+
+#[test]
+fn a_fault_names_the_program_and_the_sequence() {
+    let found = check(b"O77\nN5 G00 X123456789\nM02\n", &Setup::default());
+    let places: Vec<_> = found.iter().map(|fault| (fault.block.program, fault.block.sequence)).collect();
+    assert_eq!(places.len(), 1);
+    assert_eq!((places[0].0.as_str(), places[0].1.as_str()), ("O77", "N5"));
+}
+
+/// A character that cannot be read is a fault of the text, and reading goes on behind it.
+#[test]
+fn reading_goes_on_behind_a_character_that_is_none() {
+    let mut setup = Setup::default();
+    setup.tape.code = TapeCode::Ascii;
+    let found = check(b"G00 ?\nG00 X123456789\nM02\n", &setup);
+    let names: Vec<_> = found.iter().map(|fault| fault.alarm.name).collect();
+    assert_eq!(names, [AlarmName::IllegalCharacter, AlarmName::TooManyDigits]);
+}
