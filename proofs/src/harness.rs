@@ -2,16 +2,14 @@
 //!
 //! The doc comment of a statement is its theorem, then a line `Of:` with the functions that it is about, a line
 //! `Assumes:` with its bounds, and a line `Rules:` with the rules that it supports. `#[unwind(n)]` bounds the loops
-//! for the model checker, one more than the longest loop turns; `#[stub(original, model)]` lets it put a model in
-//! the place of a function.
+//! for the model checker, at least one more than the longest loop turns.
 
 /// Statements that hold.
 macro_rules! theorems {
-    ($($(#[doc = $doc:literal])+ #[unwind($unwind:literal)] $(#[stub($($stub:tt)+)])* fn $name:ident() $body:block)+) => {
+    ($($(#[doc = $doc:literal])+ #[unwind($unwind:literal)] fn $name:ident() $body:block)+) => {
         $(
             $(#[doc = $doc])+
             #[cfg_attr(not(stand_in), kani::proof, kani::unwind($unwind))]
-            $(#[cfg_attr(not(stand_in), kani::stub($($stub)+))])*
             pub fn $name() $body
         )+
 

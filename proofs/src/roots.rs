@@ -1,10 +1,10 @@
 //! Theorems about square roots of whole numbers.
 //!
 //! The whole part of a root comes from the standard library and the first estimate of a root from `f64`; the
-//! model checker puts [`any_floor`] in the place of the one and any number nearby in that of the other. That the
-//! library keeps to the model, and that the estimate is near, is tested, not proved.
+//! theorems hold for any whole part that is one, and from any estimate nearby. That the library finds the whole
+//! part, and that the estimate is near, is tested, not proved.
 
-use turnspec::engine::arithmetic::root::{floor, half_root, narrow, reaches, settle, whole_root};
+use turnspec::engine::arithmetic::root::{narrow, reaches, round_half, round_whole, settle};
 
 use crate::draw::{between, one_of, within, within_wide};
 #[cfg(stand_in)]
@@ -13,23 +13,17 @@ use crate::kani;
 /// Divisors of path lengths.
 const DIVISORS: [u64; 3] = [1, 2, 18];
 
-/// Any whole number that is the whole part of the root of a square below 2^16.
-#[must_use]
-pub fn any_floor(square: u128) -> u128 {
-    let root = small(256);
-    kani::assume(root * root <= square && square < (root + 1) * (root + 1));
-    root
-}
-
 /// A number from 0 to a bound.
 fn small(most: i64) -> u128 {
     u128::from(between(0, most).unsigned_abs())
 }
 
-/// A square below 2^16 that may well have a whole root.
-fn size() -> i128 {
-    let root = i128::from(between(0, 255));
-    if kani::any() { root * root } else { between(0, (1 << 16) - 1).into() }
+/// A square and the whole part of its root, which is at most 255.
+fn square_and_floor() -> (u128, u128) {
+    let floor = between(0, 255);
+    let beyond = if kani::any() { 0 } else { between(0, 2 * floor) };
+    let [floor, beyond] = [floor, beyond].map(|value| u128::from(value.unsigned_abs()));
+    (floor * floor + beyond, floor)
 }
 
 /// 1 or -1.
@@ -98,14 +92,14 @@ theorems! {
     }
 
     /// A rounded root from an origin lies within half a unit of the root.
-    /// Of: `root::whole_root`
-    /// Assumes: squares below 2^16, origins of at most 2^40 in size; the whole part of a root as in `any_floor`.
+    /// Of: `root::round_whole`
+    /// Assumes: whole parts of at most 255, origins of at most 2^40 in size.
     /// Rules: E100L-CIRC-08
-    #[unwind(2)]
-    #[stub(turnspec::engine::arithmetic::root::floor, any_floor)]
+    #[unwind(4)]
     fn a_whole_root_is_the_nearest() {
-        let (origin, side, size) = (within(1 << 40), side(), size());
-        let root = side * i128::from(whole_root(origin.into(), side, size) - origin);
+        let (origin, side, (size, floor)) = (within(1 << 40), side(), square_and_floor());
+        let root = side * i128::from(round_whole(origin.into(), side, size, floor) - origin);
+        let size = size.cast_signed();
         kani::cover!(root == 1 && size == 2, "rounded down");
         kani::cover!(root == 2 && size == 3, "rounded up");
         assert!(root >= 0 && 4 * size <= square(2 * root + 1));
@@ -113,15 +107,14 @@ theorems! {
     }
 
     /// Half of a root from an even origin lies within half a unit; at a tie it is the one further from zero.
-    /// Of: `root::half_root`
-    /// Assumes: squares below 2^16, even origins of at most 2^40 in size; the whole part of a root as in
-    /// `any_floor`.
+    /// Of: `root::round_half`
+    /// Assumes: whole parts of at most 255, even origins of at most 2^40 in size.
     /// Rules: E100L-CIRC-08
-    #[unwind(2)]
-    #[stub(turnspec::engine::arithmetic::root::floor, any_floor)]
+    #[unwind(4)]
     fn half_a_root_is_the_nearest() {
-        let (origin, side, size) = (2 * within(1 << 39), side(), size());
-        let result = half_root(origin.into(), side, size);
+        let (origin, side, (size, floor)) = (2 * within(1 << 39), side(), square_and_floor());
+        let result = round_half(origin.into(), side, size, floor);
+        let size = size.cast_signed();
         // In halves, from the origin to the result: at most one from the root.
         let way = side * i128::from(2 * result - origin);
         kani::cover!(size == square(way - 1), "a tie away from the origin");
@@ -134,16 +127,14 @@ theorems! {
     }
 
     /// Half of a root is rounded alike on both sides of zero.
-    /// Of: `root::half_root`
-    /// Assumes: squares below 2^16, even origins of at most 2^40 in size; the whole part of a root as in
-    /// `any_floor`.
+    /// Of: `root::round_half`
+    /// Assumes: whole parts of at most 255, even origins of at most 2^40 in size.
     /// Rules: E100L-CIRC-08
-    #[unwind(2)]
-    #[stub(turnspec::engine::arithmetic::root::floor, any_floor)]
+    #[unwind(4)]
     fn half_a_root_is_odd() {
-        let (origin, side, size) = (i128::from(2 * within(1 << 39)), side(), size());
-        kani::cover!(size > 0 && floor(size.unsigned_abs()).pow(2) == size.unsigned_abs(), "a whole root");
-        assert!(half_root(-origin, -side, size) == -half_root(origin, side, size));
+        let (origin, side, (size, floor)) = (i128::from(2 * within(1 << 39)), side(), square_and_floor());
+        kani::cover!(floor > 0 && size == floor * floor, "a whole root");
+        assert!(round_half(-origin, -side, size, floor) == -round_half(origin, side, size, floor));
     }
 
     /// A coordinate within 64 bits is kept; beyond them it becomes the extreme of its sign.
@@ -172,16 +163,20 @@ refutations! {
 
 #[cfg(test)]
 mod tests {
-    use super::{between, floor, rounded_root, small};
+    use super::{between, rounded_root, side, small, within};
     use crate::kani::holds;
-    use turnspec::engine::arithmetic::root::root_over;
+    use turnspec::engine::arithmetic::root::{half_root, root_over, round_half, round_whole, whole_root};
 
     #[test]
-    fn the_library_keeps_to_the_model_of_the_floor() {
+    fn roots_start_from_their_whole_part() {
         holds(|| {
-            let square = small(i64::MAX) * small(i64::MAX);
-            let root = floor(square);
-            assert!(root * root <= square && square < (root + 1) * (root + 1));
+            let floor = small((1 << 62) - 1);
+            let square = floor * floor + small(i64::MAX).min(2 * floor);
+            let (origin, side) = (i128::from(2 * within(1 << 60)), side());
+            let whole = round_whole(origin, side, square, floor);
+            assert_eq!(whole_root(origin, side, square.cast_signed()), whole);
+            let half = round_half(origin, side, square, floor);
+            assert_eq!(half_root(origin, side, square.cast_signed()), half);
         });
     }
 
