@@ -115,7 +115,7 @@ theorems! {
         let rest = 5 * fifth(feed) - feed;
         kani::cover!(rest == 2, "rounded up");
         kani::cover!(rest == -2, "rounded down");
-        assert!(-2 <= rest && rest <= 2);
+        assert!((-2..=2).contains(&rest));
     }
 
     /// Whether the torque is watched is decided without overflow; without a delay it is from the start on.

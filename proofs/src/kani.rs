@@ -211,7 +211,8 @@ mod tests {
     fn contradictory_assumptions_are_reported() {
         holds(|| {
             let value: u8 = any();
-            assume(value < 10 && value > 20);
+            assume(value < 10);
+            assume(value > 20);
         });
     }
 

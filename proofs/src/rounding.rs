@@ -133,7 +133,7 @@ theorems! {
         let value = value(1_000_000);
         let rest = value - 1000 * Rounding::HalfAway.divide_narrow(value, 1000);
         kani::cover!(rest == -500, "a tie");
-        assert!(-500 <= rest && rest <= 500);
+        assert!((-500..=500).contains(&rest));
         assert!(rest.abs() != 500 || (rest < 0) == (value > 0));
     }
 
