@@ -1,6 +1,8 @@
 //! Theorems about what feeds are measured on, and about the feeds of a torque skip.
 
-use turnspec::engine::arithmetic::feed::{Measure, fifth, is_watched, path, path_with_turn, square};
+use turnspec::engine::arithmetic::feed::{
+    LONGEST, Measure, fifth, is_watched, path, path_with_turn, square, way,
+};
 use turnspec::engine::arithmetic::turn::TURN;
 use turnspec_oracle::vocabulary::FeedLength;
 
@@ -44,25 +46,26 @@ theorems! {
         assert!(square < ROOM && divisor == 18);
     }
 
-    /// The way back is as long as the way out, and there is none from a place to itself.
-    /// Of: `feed::square`
-    /// Assumes: positions of at most 1000 in size.
+    /// The way back is as long as the way out, there is none from a place to itself, and none is longer than what is
+    /// measured.
+    /// Of: `feed::way`
+    /// Assumes: any positions.
     /// Rules: E100L-G01-04
     #[unwind(2)]
     fn the_way_back_is_as_long() {
-        let (start, end) = (within(1000), within(1000));
-        kani::cover!(start > 0 && end < 0, "across zero");
-        assert!(square(start, end) == square(end, start));
-        assert!((square(start, end) == 0) == (start == end));
+        let (start, end): (i64, i64) = (kani::any(), kani::any());
+        kani::cover!(start == i64::MIN && end > 0, "across zero");
+        assert!(way(start, end) == way(end, start) && way(start, end) <= LONGEST);
+        assert!((way(start, end) == 0) == (start == end));
     }
 
     /// A diameter counts half where feeds are measured on the radius.
     /// Of: `feed::path`, `feed::square`
-    /// Assumes: travels of at most 1000 in size.
+    /// Assumes: travels of at most 128 in size.
     /// Rules: E100L-G01-04, E100L-DIA-01
     #[unwind(2)]
     fn a_diameter_counts_half() {
-        let (radius, along) = (within(1000), within(1000));
+        let (radius, along) = (i64::from(kani::any::<i8>()), i64::from(kani::any::<i8>()));
         kani::cover!(radius != 0 && along != 0, "both axes");
         let measure = path(square(0, 2 * radius), square(0, along), FeedLength::Radius);
         let wanted = path(square(0, radius), square(0, along), FeedLength::Diameter);

@@ -180,7 +180,7 @@ macro_rules! signed {
         })*
     };
 }
-signed!(i32 u32 i64 u64 i128 u128);
+signed!(i8 u8 i32 u32 i64 u64 i128 u128);
 
 impl<const N: usize> Arbitrary for [u8; N] {
     fn any() -> Self {

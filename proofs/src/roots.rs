@@ -18,9 +18,9 @@ fn small(most: i64) -> u128 {
     u128::from(between(0, most).unsigned_abs())
 }
 
-/// A square and the whole part of its root, which is at most 255.
+/// A square and the whole part of its root, which is at most 15.
 fn square_and_floor() -> (u128, u128) {
-    let floor = between(0, 255);
+    let floor = between(0, 15);
     let beyond = if kani::any() { 0 } else { between(0, 2 * floor) };
     let [floor, beyond] = [floor, beyond].map(|value| u128::from(value.unsigned_abs()));
     (floor * floor + beyond, floor)
@@ -65,12 +65,12 @@ theorems! {
 
     /// A root that reaches a candidate reaches every smaller one.
     /// Of: `root::reaches`
-    /// Assumes: squares of at most 2^16, candidates of at most 255.
+    /// Assumes: squares of at most 2^10, candidates of at most 15.
     /// Rules: E100L-G01-04
     #[unwind(4)]
     fn reaching_is_monotone() {
-        let (square, divisor) = (small(1 << 16), one_of(&DIVISORS));
-        let candidate = u64::try_from(between(0, 255)).unwrap_or(0);
+        let (square, divisor) = (small(1 << 10), one_of(&DIVISORS));
+        let candidate = u64::try_from(between(0, 15)).unwrap_or(0);
         if reaches(square, divisor, candidate + 1) {
             kani::cover!(candidate > 0, "a root above one");
             assert!(reaches(square, divisor, candidate));
@@ -79,12 +79,12 @@ theorems! {
 
     /// From an estimate that is at most two off, settling finds the root rounded half up.
     /// Of: `root::settle`, `root::reaches`
-    /// Assumes: results of at most 60, the divisors 1, 2 and 18.
+    /// Assumes: results of at most 7, the divisors 1, 2 and 18.
     /// Rules: E100L-G01-04, E100L-CFEED-03
     #[unwind(5)]
     fn settling_finds_the_rounded_root() {
-        let (root, square, divisor) = rounded_root(60);
-        let estimate = u64::try_from(between(0, 62)).unwrap_or(0);
+        let (root, square, divisor) = rounded_root(7);
+        let estimate = u64::try_from(between(0, 9)).unwrap_or(0);
         let estimate = if estimate.abs_diff(root) <= 2 { estimate } else { root + 1 };
         kani::cover!(estimate > root && square > 0, "too large an estimate");
         kani::cover!(estimate < root, "too small an estimate");
@@ -93,11 +93,11 @@ theorems! {
 
     /// A rounded root from an origin lies within half a unit of the root.
     /// Of: `root::round_whole`
-    /// Assumes: whole parts of at most 255, origins of at most 2^40 in size.
+    /// Assumes: whole parts of at most 15, origins of at most 2^30 in size.
     /// Rules: E100L-CIRC-08
     #[unwind(4)]
     fn a_whole_root_is_the_nearest() {
-        let (origin, side, (size, floor)) = (within(1 << 40), side(), square_and_floor());
+        let (origin, side, (size, floor)) = (within(1 << 30), side(), square_and_floor());
         let root = side * i128::from(round_whole(origin.into(), side, size, floor) - origin);
         let size = size.cast_signed();
         kani::cover!(root == 1 && size == 2, "rounded down");
@@ -108,11 +108,11 @@ theorems! {
 
     /// Half of a root from an even origin lies within half a unit; at a tie it is the one further from zero.
     /// Of: `root::round_half`
-    /// Assumes: whole parts of at most 255, even origins of at most 2^40 in size.
+    /// Assumes: whole parts of at most 15, even origins of at most 2^30 in size.
     /// Rules: E100L-CIRC-08
     #[unwind(4)]
     fn half_a_root_is_the_nearest() {
-        let (origin, side, (size, floor)) = (2 * within(1 << 39), side(), square_and_floor());
+        let (origin, side, (size, floor)) = (2 * within(1 << 29), side(), square_and_floor());
         let result = round_half(origin.into(), side, size, floor);
         let size = size.cast_signed();
         // In halves, from the origin to the result: at most one from the root.
@@ -128,11 +128,11 @@ theorems! {
 
     /// Half of a root is rounded alike on both sides of zero.
     /// Of: `root::round_half`
-    /// Assumes: whole parts of at most 255, even origins of at most 2^40 in size.
+    /// Assumes: whole parts of at most 15, even origins of at most 2^30 in size.
     /// Rules: E100L-CIRC-08
     #[unwind(4)]
     fn half_a_root_is_odd() {
-        let (origin, side, (size, floor)) = (i128::from(2 * within(1 << 39)), side(), square_and_floor());
+        let (origin, side, (size, floor)) = (i128::from(2 * within(1 << 29)), side(), square_and_floor());
         kani::cover!(floor > 0 && size == floor * floor, "a whole root");
         assert!(round_half(-origin, -side, size, floor) == -round_half(origin, side, size, floor));
     }
@@ -155,7 +155,7 @@ refutations! {
     /// False: a rounded root is at most the root.
     #[unwind(5)]
     fn roots_are_cut() {
-        let (root, square, divisor) = rounded_root(60);
+        let (root, square, divisor) = rounded_root(7);
         let root = settle(square, divisor, root);
         assert!(u128::from(root * divisor) * u128::from(root * divisor) <= square);
     }

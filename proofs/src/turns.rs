@@ -74,15 +74,30 @@ theorems! {
         assert!(-(turns + 1) * TURN < back && back <= -turns * TURN);
     }
 
-    /// The way leads to the target, in either direction.
-    /// Of: `turn::travel`, `turn::within`
+    /// The way in the positive direction leads to the target: it is the difference, or a turn more.
+    /// Of: `turn::travel`
     /// Assumes: angles within a turn, no further turns.
     /// Rules: E100L-CAX-05
     #[unwind(2)]
-    fn the_way_leads_to_the_target() {
-        let (present, target, negative) = (angle(), angle(), kani::any());
-        kani::cover!(negative && target > present, "back across zero");
-        assert!(within(present + travel(present, target, 0, negative)) == target);
+    fn the_way_forward_leads_to_the_target() {
+        let (present, target) = (angle(), angle());
+        let difference = target - present;
+        kani::cover!(difference < 0, "across zero");
+        let way = if difference < 0 { difference + TURN } else { difference };
+        assert!(travel(present, target, 0, false) == way);
+    }
+
+    /// The way in the negative direction leads to the target: it is the difference, or a turn less.
+    /// Of: `turn::travel`
+    /// Assumes: angles within a turn, no further turns.
+    /// Rules: E100L-CAX-05
+    #[unwind(2)]
+    fn the_way_back_leads_to_the_target() {
+        let (present, target) = (angle(), angle());
+        let difference = target - present;
+        kani::cover!(difference > 0, "back across zero");
+        let way = if difference > 0 { difference - TURN } else { difference };
+        assert!(travel(present, target, 0, true) == way);
     }
 
     /// The two directions together make a full turn, unless there is no way to go.
@@ -97,17 +112,26 @@ theorems! {
         assert!(forward - back == if present == target { 0 } else { TURN });
     }
 
+    /// Engine and oracle bring angles into a turn alike.
+    /// Of: `turn::within`, `turn::shift`, `integer::turn::within`, `integer::turn::shift`
+    /// Assumes: angles of at most four turns.
+    /// Rules: E100L-CAX-05, E100L-G50-04
+    #[unwind(2)]
+    fn both_bring_angles_into_a_turn_alike() {
+        let angle = near_angle();
+        kani::cover!(angle < -TURN, "more than a turn back");
+        assert!(oracle::within(angle) == within(angle) && oracle::shift(angle) == shift(angle));
+    }
+
     /// Engine and oracle turn alike.
-    /// Of: `turn::travel`, `turn::within`, `turn::shift`, `integer::turn`
-    /// Assumes: angles of at most four turns, at most 1999 turns.
-    /// Rules: E100L-CAX-05, E100L-CAX-06, E100L-G50-04
+    /// Of: `turn::travel`, `integer::turn::travel`
+    /// Assumes: angles within a turn, at most 1999 turns.
+    /// Rules: E100L-CAX-05, E100L-CAX-06
     #[unwind(2)]
     fn both_turn_alike() {
-        let (present, target, turns, negative) = (angle(), near_angle(), between(0, 1999), kani::any());
+        let (present, target, turns, negative) = (angle(), angle(), between(0, 1999), kani::any());
         kani::cover!(negative && turns > 0, "turns back");
-        assert!(oracle::within(target) == within(target) && oracle::shift(target) == shift(target));
-        let engine = travel(present, within(target), turns, negative);
-        assert!(oracle::travel(present, target, turns, !negative) == engine);
+        assert!(oracle::travel(present, target, turns, !negative) == travel(present, target, turns, negative));
     }
 }
 

@@ -18,11 +18,18 @@ pub struct Measure {
     pub divisor: u64,
 }
 
-/// The square of the way of an axis between two of its coordinates; at most 2^108.
+/// The way of an axis between two of its coordinates, whichever they are; at most [`LONGEST`].
+#[inline]
+#[must_use]
+pub fn way(start: i64, end: i64) -> u64 {
+    end.abs_diff(start).min(LONGEST)
+}
+
+/// The square of the way of an axis; at most 2^108.
 #[inline]
 #[must_use]
 pub fn square(start: i64, end: i64) -> u128 {
-    let way = u128::from(end.abs_diff(start).min(LONGEST));
+    let way = u128::from(way(start, end));
     way * way
 }
 

@@ -1,8 +1,9 @@
 //! Points of the turning plane and the exact signs of their geometry (E100L-CIRC-08, E100L-CIRC-11,
 //! E100L-CIRC-16, E100L-CHAM-08, E100L-ANG-03).
 //!
-//! Points are latched coordinates of at most 2^60 in size. Directions are in half nanometres, twice Z and the
-//! diameter X, at most 2^62 in size; products of them stay below 2^126.
+//! Points are latched coordinates of at most 2^56 in size: words reach 2^37, and lines meet no further than their
+//! smallest angle allows. Directions are in half nanometres, twice Z and the diameter X, at most 2^58 in size;
+//! sums of their products stay below 2^118.
 
 /// A point in program coordinates, X as a diameter.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
