@@ -91,7 +91,8 @@ impl Builder<'_, '_, '_> {
         }
     }
 
-    fn incremental_word(&mut self, incremental: bool) -> Item {
+    /// G90 or G91.
+    pub(crate) fn incremental_word(&mut self, incremental: bool) -> Item {
         self.state.incremental = incremental;
         Item::g(if incremental { 91 } else { 90 })
     }

@@ -63,13 +63,13 @@ impl Builder<'_, '_, '_> {
         }
     }
 
-    /// A coordinate word of one axis; moves the state. Now and then beyond a positive limit.
+    /// A coordinate word of one axis; moves the state. Now and then on a positive limit or beyond it.
     fn axis_word(&mut self, axis: Axis, items: &mut Vec<Item>) {
         let mut wanted = self.state.somewhere(axis, self.choices);
         if let Some(limit) = self.state.limits[axis as usize].positive
             && self.choices.chance(5)
         {
-            let beyond = self.choices.within(0, 50_000) * 1_000;
+            let beyond = if self.choices.chance(30) { 0 } else { self.choices.within(0, 50_000) * 1_000 };
             wanted = limit.0 - self.state.frame(axis) + beyond;
         }
         let (item, target) = self.target(axis, wanted);
