@@ -40,31 +40,34 @@ fn estimate(square: u128, divisor: u64) -> u64 {
     (square.sqrt() / divisor as f64 + 0.5) as u64
 }
 
-/// The whole part of a square root.
-#[inline]
-#[must_use]
-pub fn floor(square: u128) -> u128 {
-    square.isqrt()
-}
-
-/// `origin + side * sqrt(square)`, rounded; a root of a whole number is never at a half. The square is not
-/// negative and at most 2^126, the side -1, 0 or 1, the origin at most 2^64 in size.
+/// `origin + side * sqrt(square)`, rounded half away from zero. The square is not negative and at most 2^126, the
+/// side -1, 0 or 1, the origin at most 2^64 in size.
 #[must_use]
 pub fn whole_root(origin: i128, side: i128, square: i128) -> i64 {
-    let size = square.unsigned_abs();
-    let floor = floor(size);
-    // root > floor + 1/2 exactly when square > floor^2 + floor.
-    let nearest = floor + u128::from(size > floor * floor + floor);
-    narrow(origin + side * nearest.cast_signed())
+    let square = square.unsigned_abs();
+    round_whole(origin, side, square, square.isqrt())
 }
 
 /// `(origin + side * sqrt(square)) / 2`, rounded half away from zero, for an even origin. Ranges as of
 /// [`whole_root`].
 #[must_use]
 pub fn half_root(origin: i128, side: i128, square: i128) -> i64 {
-    let size = square.unsigned_abs();
-    let floor = floor(size);
-    if floor * floor == size {
+    let square = square.unsigned_abs();
+    round_half(origin, side, square, square.isqrt())
+}
+
+/// [`whole_root`] from the whole part of the root; a root of a whole number is never at a half.
+#[must_use]
+pub fn round_whole(origin: i128, side: i128, square: u128, floor: u128) -> i64 {
+    // root > floor + 1/2 exactly when square > floor^2 + floor.
+    let nearest = floor + u128::from(square > floor * floor + floor);
+    narrow(origin + side * nearest.cast_signed())
+}
+
+/// [`half_root`] from the whole part of the root.
+#[must_use]
+pub fn round_half(origin: i128, side: i128, square: u128, floor: u128) -> i64 {
+    if floor * floor == square {
         let twice = origin + side * floor.cast_signed();
         return narrow((twice + twice.signum()) / 2);
     }
