@@ -16,6 +16,7 @@ theorems! {
     #[unwind(30)]
     fn a_long_name_is_cut() {
         let bytes: [u8; LENGTH + 5] = kani::any();
+        kani::cover!(bytes[LENGTH] != bytes[LENGTH - 1], "a byte that is cut differs from the last one kept");
         assert!(Label::from_bytes(&bytes) == Label::from_bytes(&bytes[..LENGTH]));
     }
 
@@ -27,6 +28,7 @@ theorems! {
     fn a_full_label_stays_as_it_is() {
         let bytes: [u8; LENGTH] = kani::any();
         let full = Label::from_bytes(&bytes);
+        kani::cover!(bytes[0] != bytes[1], "different characters");
         let mut more = full;
         more.push(kani::any());
         assert!(more == full);

@@ -65,11 +65,11 @@ impl Interpreter<'_> {
         let stop = self.setup.inputs.torque_stops.get(self.state.stops_used).map(|stop| stop.0);
         self.state.stops_used += usize::from(!planted::is(Bug::TorqueStopReused));
         let stop = stop.filter(|stop| along(*stop) > 0 && along(*stop) <= along(last));
-        if let Some(stop) = stop.filter(|stop| along(*stop) <= along(approach)) {
-            if is_watched(along(stop), feed.value.0, delay) {
-                self.skip_to(skip, stop, feed, sink)?;
-                return Fault::raise(AlarmName::TorqueReachedEarly, rules::TRQ_06);
-            }
+        if let Some(stop) = stop.filter(|stop| along(*stop) <= along(approach))
+            && is_watched(along(stop), feed.value.0, delay)
+        {
+            self.skip_to(skip, stop, feed, sink)?;
+            return Fault::raise(AlarmName::TorqueReachedEarly, rules::TRQ_06);
         }
         self.skip_to(skip, approach, feed, sink)?;
         let slow = Feed { value: FeedRate(fifth(feed.value.0)), ..feed };
