@@ -12,6 +12,7 @@ use super::cite::{self, Cites};
 use super::exact::{Formula, Real, round};
 use super::fault::Fault;
 use super::motion::{Element, Kind};
+use super::planted::{self, Bug};
 use super::state::{Base, W, X, Z};
 use super::words::{Address, Slot, Words};
 
@@ -91,9 +92,9 @@ impl Formula for Taper {
     fn value<R: Real>(&self, precision: R::Precision) -> R {
         let (sine, cosine) = R::sine_cosine(self.angle, precision);
         let along = R::integer(self.along.into(), precision);
-        let two = R::integer(2, precision);
+        let (one, two) = (R::integer(1, precision), R::integer(2, precision));
         let change = if self.to_x {
-            along.times(&two).times(&sine).over(&cosine)
+            along.times(if planted::is(Bug::TaperRadius) { &one } else { &two }).times(&sine).over(&cosine)
         } else {
             along.times(&cosine).over(&sine.times(&two))
         };
@@ -209,7 +210,9 @@ impl Interpreter<'_> {
                 reference = corner;
                 (end.x, end.z) = (true, true);
             } else {
-                if self.setup.readings.incremental_after_chamfer == IncrementalAfterChamfer::Corner {
+                if self.setup.readings.incremental_after_chamfer == IncrementalAfterChamfer::Corner
+                    && !planted::is(Bug::CornerReading)
+                {
                     reference = corner;
                 }
                 if incremental && (end.x || end.z) {

@@ -16,6 +16,7 @@ use super::cite::{self, Cites};
 use super::exact::{Formula, Real, round, sign};
 use super::fault::Fault;
 use super::motion::{Element, Kind};
+use super::planted::{self, Bug};
 use super::words::{Address, Words};
 
 /// An arc that is known but for its rules.
@@ -63,7 +64,7 @@ impl Formula for CentreCoordinate {
 impl Interpreter<'_> {
     /// A block with G02 or G03.
     pub(super) fn arc(&mut self, words: &Words, motion: u16, sink: &mut impl Sink) -> Result<(), Fault> {
-        self.state.base = None;
+        self.state.base = self.state.base.filter(|_| planted::is(Bug::CornerBaseKept));
         let sense = if motion == 2 { Sense::Clockwise } else { Sense::CounterClockwise };
         let start = self.present();
         let incremental = self.state.incremental;
@@ -106,7 +107,10 @@ impl Interpreter<'_> {
     ) -> Result<Arc, Fault> {
         let i = words.get(Address::I).unwrap_or_default();
         let k = words.get(Address::K).unwrap_or_default();
-        let centre = Point { x: start.x.saturating_add(2 * i), z: start.z.saturating_add(k) };
+        let centre = Point {
+            x: start.x.saturating_add(if planted::is(Bug::CentreDiameter) { i } else { 2 * i }),
+            z: start.z.saturating_add(k),
+        };
         let both_given = words.has(Address::I) && words.has(Address::K);
         let mut cites = cite::CIRC_01
             .and(cite::CIRC_04)
@@ -117,7 +121,7 @@ impl Interpreter<'_> {
         let one = x.is_none() || z.is_none();
         if one {
             cites = cites.and(cite::CIRC_08);
-            readings = self.known.arc;
+            readings = if planted::is(Bug::ArcReading) { ReadingSet::default() } else { self.known.arc };
         }
         if one && self.setup.readings.arc_one_coordinate == ArcOneCoordinate::Quadrant {
             let end = quadrant_end(centre, (-k, -i), x, z, sense)
@@ -131,7 +135,8 @@ impl Interpreter<'_> {
         cites = cites.and(cite::CIRC_11);
         let [start_square, end_square] = [start, end].map(|point| square_distance(point, centre));
         let (greater, less) = (start_square.max(end_square), start_square.min(end_square));
-        let tolerance = 2 * i128::from(self.setup.parameters.circular_radius_tolerance.0);
+        let tolerance = if planted::is(Bug::ToleranceOnDiameter) { 1 } else { 2 }
+            * i128::from(self.setup.parameters.circular_radius_tolerance.0);
         if greater != less {
             let gap = RadiusGap { greater, less, tolerance };
             if sign(&gap, &mut self.slow) == Ordering::Greater {
@@ -160,7 +165,8 @@ impl Interpreter<'_> {
             return Fault::raise(AlarmName::ArcRadiusTooSmall, rules::CIRC_16);
         }
         let (across_z, across_x) = difference(end, start);
-        let side = if (sense == Sense::CounterClockwise) == major { -1 } else { 1 };
+        let major_side = major && !(planted::is(Bug::MajorSide) && sense == Sense::Clockwise);
+        let side = if (sense == Sense::CounterClockwise) == major_side { -1 } else { 1 };
         // From the middle of the chord to its left by half of root(high / square) times the chord.
         let mut coordinate = |middle: i128, side: i128, divisor: i128| {
             let formula = CentreCoordinate { middle, side, high, square, divisor };
@@ -189,7 +195,8 @@ fn quadrant_end(
 ) -> Option<Point> {
     let turn = if sense == Sense::CounterClockwise { 1 } else { -1 };
     let (start_z, start_x) = (2 * i128::from(start_z), 2 * i128::from(start_x));
-    let (side_z, side_x) = quadrant((start_z, start_x), turn);
+    let (side_z, side_x) =
+        quadrant((start_z, start_x), if planted::is(Bug::QuadrantOnAxis) { -turn } else { turn });
     let square = square((start_z, start_x));
     match (x, z) {
         (Some(x), _) => {

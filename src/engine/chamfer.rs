@@ -16,6 +16,7 @@ use super::cite::{self, Cites};
 use super::exact::{Formula, Real, round, sign};
 use super::fault::Fault;
 use super::motion::{Element, Kind};
+use super::planted::{self, Bug};
 use super::state::Base;
 use super::words::{Address, Slot};
 
@@ -192,7 +193,7 @@ impl Interpreter<'_> {
         }
         // Amounts on a diameter are twice those on a radius.
         let leg = size.abs() * if along_x { 2 } else { 1 };
-        if travel.abs() < leg {
+        if travel.abs() < leg || planted::is(Bug::ExactFit) && travel.abs() == leg {
             return Fault::raise(AlarmName::ChamferTooShort, rules::CHAM_07);
         }
         let back = leg * travel.signum();
@@ -201,10 +202,16 @@ impl Interpreter<'_> {
             (begin, Point { x: corner.x, z: present.z.saturating_add(size) })
         } else {
             let begin = Point { x: present.x, z: corner.z - back };
-            (begin, Point { x: present.x.saturating_add(2 * size), z: corner.z })
+            (
+                begin,
+                Point {
+                    x: present.x.saturating_add(if planted::is(Bug::LegRadius) { size } else { 2 * size }),
+                    z: corner.z,
+                },
+            )
         };
         let kind = if rounding {
-            let left = (travel.signum() * size.signum() > 0) != along_x;
+            let left = (travel.signum() * size.signum() > 0) != (along_x && !planted::is(Bug::RoundingSense));
             let centre =
                 if along_x { Point { x: begin.x, z: finish.z } } else { Point { x: finish.x, z: begin.z } };
             arc_kind(left, centre)
@@ -244,6 +251,7 @@ impl Interpreter<'_> {
         let measure = match (rounding, self.setup.readings.chamfer_leg) {
             (true, _) => Measure::Radius,
             (false, ChamferLeg::Leg) => Measure::Leg,
+            (false, ChamferLeg::Face) if planted::is(Bug::FaceAsLeg) => Measure::Leg,
             (false, ChamferLeg::Face) => Measure::Face,
         };
         let corner = Corner {
@@ -345,7 +353,9 @@ impl Interpreter<'_> {
     fn end_of_next(&mut self, corner: Point) -> Result<Point, Fault> {
         let next = &self.ahead[0];
         let place = next.place;
-        let incremental = Course::mode(&next.words, self.state.incremental);
+        let here = self.state.incremental;
+        let incremental =
+            if planted::is(Bug::NextDimension) { here } else { Course::mode(&next.words, here) };
         let course = Course::of(&next.words, incremental);
         let end = match course.only_angle() {
             None => course.end(corner, corner, &mut self.slow),

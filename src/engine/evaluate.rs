@@ -11,6 +11,7 @@ use super::codes::{self, GGroup, Status};
 use super::fault::Fault;
 use super::functions;
 use super::number::Number;
+use super::planted::{self, Bug};
 use super::words::{Address, Code, Function, Item, Operand, Operation, Parsed, Slot, Source, Words};
 
 impl Interpreter<'_> {
@@ -32,7 +33,8 @@ impl Interpreter<'_> {
                     words.meet(Address::Calrg);
                 }
                 Item::Common { number, value } => {
-                    let value = self.compute(parsed, value)?.real() + 0.0;
+                    let value = self.compute(parsed, value)?.real()
+                        + if planted::is(Bug::NegativeZero) { -0.0 } else { 0.0 };
                     if let Some(slot) = self.state.common.get_mut(usize::from(number)) {
                         *slot = value;
                     }
@@ -66,7 +68,8 @@ impl Interpreter<'_> {
             Address::M => return m_word(words, number),
             _ => {}
         }
-        if !words.meet(address) {
+        let passed = planted::is(Bug::DuplicateFeed) && address == Address::F;
+        if !words.meet(address) && !passed {
             return Fault::raise(AlarmName::DuplicateAddress, FMT_06);
         }
         let value = match address {
@@ -117,8 +120,13 @@ impl Interpreter<'_> {
         ranged(number, units.length, if signed { -units.longest } else { 0 }, units.longest, ADDR_01)?;
         let inch_increments = self.setup.readings.inch_conversion == InchConversion::InchIncrement;
         let increment = if units.inch && inch_increments { 2540 } else { 1000 };
-        if units.inch && !number.is_real() {
-            return Ok(number.cut(units.length, increment));
+        if units.inch && !number.is_real() || planted::is(Bug::LengthCut) {
+            let rounded = planted::is(Bug::WholeInchRounded);
+            return Ok(if rounded {
+                number.rounded(units.length, increment)
+            } else {
+                number.cut(units.length, increment)
+            });
         }
         Ok(number.rounded(units.length, increment))
     }
@@ -185,7 +193,10 @@ impl Interpreter<'_> {
             let result = match *operation {
                 Operation::Constant(value) => value,
                 Operation::Common(number) => {
-                    Operand::Real(self.state.common.get(usize::from(number)).copied().unwrap_or_default())
+                    let shift = u8::from(planted::is(Bug::VariableIndex) && number >= 100);
+                    Operand::Real(
+                        self.state.common.get(usize::from(number - shift)).copied().unwrap_or_default(),
+                    )
                 }
                 Operation::System(variable) => {
                     let suffix = if variable.has_suffix() {

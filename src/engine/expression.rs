@@ -8,6 +8,7 @@ use super::arithmetic::scale::TEN;
 use super::fault::Fault;
 use super::items::{Variable, is_extended, local_variable};
 use super::parse::{KEYWORDS, Parser, check_digits};
+use super::planted::{self, Bug};
 use super::text::{Class, class};
 use super::words::{Code, Comparison, Function, Operand, Operation};
 
@@ -69,6 +70,7 @@ fn word(name: &[u8]) -> Option<Word> {
         b"NOT" => Word::Not,
         b"AND" => Word::Binary((level::AND, Kind::And)),
         b"OR" => Word::Binary((level::OR, Kind::Or)),
+        b"EOR" if planted::is(Bug::ExclusiveOrBinding) => Word::Binary((level::AND, Kind::ExclusiveOr)),
         b"EOR" => Word::Binary((level::OR, Kind::ExclusiveOr)),
         b"LT" => Word::Binary((level::COMPARISON, Kind::Compare(C::Less))),
         b"LE" => Word::Binary((level::COMPARISON, Kind::Compare(C::LessEqual))),
@@ -158,7 +160,8 @@ impl Parser<'_> {
             if kind.is_boolean() && self.options.level_one {
                 self.block.operations.insert(start, Operation::NeedsBoolean);
             }
-            self.operators(binding + 1)?;
+            let left = !(planted::is(Bug::RightAssociative) && kind == Kind::Subtract);
+            self.operators(binding + u8::from(left))?;
             self.operation(kind.operation());
         }
     }
@@ -217,7 +220,7 @@ impl Parser<'_> {
             self.at += 1;
         }
         self.primary()?;
-        for _ in 0..minus {
+        for _ in 0..if planted::is(Bug::SignsCollapse) { minus.min(1) } else { minus } {
             self.operation(Operation::Negate);
         }
         Ok(())
@@ -280,7 +283,11 @@ impl Parser<'_> {
         if written > 8 {
             return Fault::raise(AlarmName::NumberMalformed, MATH_18);
         }
-        self.operation(Operation::Constant(Operand::Integer(pattern.cast_signed())));
+        self.operation(Operation::Constant(Operand::Integer(if planted::is(Bug::HexadecimalSaturates) {
+            pattern.min(0x7FFF_FFFF).cast_signed()
+        } else {
+            pattern.cast_signed()
+        })));
         Ok(())
     }
 

@@ -8,6 +8,7 @@ use super::arithmetic::round::Rounding;
 use super::exact::{self, SlowPaths};
 use super::fault::Fault;
 use super::number::Number;
+use super::planted::{self, Bug};
 use super::words::{Comparison, Function, Operand};
 
 /// The dependence of the functions on the unit system.
@@ -71,7 +72,10 @@ pub fn divide(a: Operand, b: Operand) -> Result<Operand, Fault> {
     if b.real() == 0.0 {
         return Fault::raise(AlarmName::DivisionByZero, AEXP_09);
     }
-    real(a.real() / b.real(), TYPE_10)
+    let quotient = a.real() / b.real();
+    let whole =
+        planted::is(Bug::IntegerQuotient) && matches!((a, b), (Operand::Integer(_), Operand::Integer(_)));
+    real(if whole { quotient.trunc() } else { quotient }, TYPE_10)
 }
 
 /// Unary minus (E100L-TYPE-09).
@@ -87,7 +91,7 @@ pub fn compare(comparison: Comparison, a: Operand, b: Operand) -> Operand {
     fn holds<T: PartialOrd>(comparison: Comparison, a: T, b: T) -> bool {
         match comparison {
             Comparison::Less => a < b,
-            Comparison::LessEqual => a <= b,
+            Comparison::LessEqual => a < b || a == b && !planted::is(Bug::LessEqualStrict),
             Comparison::Equal => a == b,
             Comparison::NotEqual => a != b,
             Comparison::Greater => a > b,
@@ -129,6 +133,9 @@ pub fn call(function: Function, a: Operand, scales: &Scales, slow: &mut SlowPath
     let domain = |rule| Fault::raise(AlarmName::FunctionDomain, rule);
     match function {
         Function::Sin => real(exact::sine_cosine(a.real() / scales.angle, slow).0, FUNC_03),
+        Function::Cos if planted::is(Bug::CosineBySine) => {
+            real(exact::sine_cosine(a.real() / scales.angle + 90.0, slow).0, FUNC_04)
+        }
         Function::Cos => real(exact::sine_cosine(a.real() / scales.angle, slow).1, FUNC_04),
         Function::Tan => match exact::tangent(a.real() / scales.angle, slow) {
             Some(value) => real(value, FUNC_05),
@@ -140,6 +147,9 @@ pub fn call(function: Function, a: Operand, scales: &Scales, slow: &mut SlowPath
         Function::Abs => real(a.real().abs(), FUNC_09),
         Function::Bin => from_decimal_code(a),
         Function::Bcd => to_decimal_code(a),
+        Function::Round if planted::is(Bug::RoundTiesToEven) => {
+            to_integer(Operand::Real(a.real().round_ties_even()), Rounding::HalfAway)
+        }
         Function::Round => to_integer(a, Rounding::HalfAway),
         Function::Fix => to_integer(a, Rounding::Cut),
         Function::Fup => to_integer(a, Rounding::Up),
@@ -163,12 +173,15 @@ pub fn call_two(
         if b == 0.0 {
             return Fault::raise(AlarmName::DivisionByZero, FUNC_18);
         }
-        return real(a - (a / b).trunc() * b, FUNC_18);
+        let quotient = a / b;
+        let quotient = if planted::is(Bug::ModSign) { quotient.floor() } else { quotient.trunc() };
+        return real(a - quotient * b, FUNC_18);
     }
     if a == 0.0 && b == 0.0 {
         return Fault::raise(AlarmName::FunctionDomain, FUNC_07);
     }
-    real(exact::arc_tangent(a, b, slow) * scales.angle, FUNC_07)
+    let angle = exact::arc_tangent(a, b, slow) * scales.angle;
+    real(if planted::is(Bug::ArcTangentUlp) { angle.next_up() } else { angle }, FUNC_07)
 }
 
 /// ROUND, FIX, FUP: an integer stays as it is.

@@ -7,6 +7,7 @@ use super::arithmetic::digits::Digits;
 use super::fault::Fault;
 use super::number::Number;
 use super::parse::{KEYWORDS, Parser, check_digits};
+use super::planted::{self, Bug};
 use super::system::{Lookup, SystemVariable, lookup};
 use super::text::{Class, class};
 use super::words::{Address, Item, Source};
@@ -161,7 +162,7 @@ impl Parser<'_> {
         if written == 0 {
             return Fault::raise(AlarmName::NumberMalformed, FMT_01);
         }
-        check_digits(written, point, address == Address::F)?;
+        check_digits(written - u32::from(planted::is(Bug::NineDigits)), point, address == Address::F)?;
         let digits = if negative { -value } else { value };
         Ok(Plain { number: Number::Decimal { digits, scale, point }, written, signed })
     }

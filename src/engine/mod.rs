@@ -24,6 +24,10 @@ mod motion;
 mod names;
 mod number;
 mod parse;
+#[cfg(not(feature = "planted-bugs"))]
+mod planted;
+#[cfg(feature = "planted-bugs")]
+pub mod planted;
 mod spindle;
 mod state;
 mod system;
@@ -47,6 +51,7 @@ use fault::Fault;
 use functions::Scales;
 use names::Names;
 use parse::{Options, Parser};
+use planted::Bug;
 use state::State;
 use text::Reader;
 use words::{Operand, Slot};
@@ -175,7 +180,9 @@ impl<'a> Interpreter<'a> {
             self.ahead.swap(0, 1);
             self.ahead_count -= 1;
             self.place = slot.place;
-            self.inch_block = slot.parsed.has_length && self.units.inch;
+            if !planted::is(Bug::NextInchStale) {
+                self.inch_block = slot.parsed.has_length && self.units.inch;
+            }
         } else {
             let found = self.read(slot);
             self.place = slot.place;
@@ -228,7 +235,8 @@ impl<'a> Interpreter<'a> {
             }
             let sequence = slot.parsed.sequence;
             let name = sequence.as_str().as_bytes().get(1..).unwrap_or_default();
-            if !name.is_empty() && !self.names.insert(name) {
+            let forgotten = planted::is(Bug::SkippedNameForgotten) && slot.parsed.skipped;
+            if !name.is_empty() && !forgotten && !self.names.insert(name) {
                 return Fault::raise(AlarmName::SequenceNameDuplicate, SEQ_03);
             }
             let blank = slot.parsed.items.is_empty() && name.is_empty();

@@ -14,6 +14,7 @@ use super::arithmetic::root::root_over;
 use super::arithmetic::turn;
 use super::cite::{self, Cites};
 use super::fault::Fault;
+use super::planted::{self, Bug};
 use super::state::{Amounts, C, W, X, Z};
 use super::words::{Address, Words};
 
@@ -63,7 +64,7 @@ impl Interpreter<'_> {
         cite::COORD_03
             .and(if incremental { cite::ABS_02 } else { cite::ABS_01 })
             .and_if(x, cite::DIA_01)
-            .and_if(x && incremental, cite::ABS_03)
+            .and_if(x && incremental && !planted::is(Bug::DiameterRule), cite::ABS_03)
             .and_if(turns || words.has(Address::C), cite::CAX_05)
             .and_if(turns, cite::CAX_06)
             .and_if(self.inch_block, cite::INCH_02)
@@ -85,7 +86,8 @@ impl Interpreter<'_> {
     pub(super) fn feed(&self) -> Result<Feed, Fault> {
         match self.state.feed {
             Some(feed) => {
-                let value = feed.values[usize::from(!self.state.per_minute)];
+                let stale = planted::is(Bug::FeedOfOtherMode) && feed.given != self.state.feed_unit();
+                let value = feed.values[usize::from(self.state.per_minute == stale)];
                 let unit = self.state.feed_unit();
                 let [least, most] = self.units.feeds;
                 // Given in this mode it was tested with its word.
@@ -132,7 +134,8 @@ impl Interpreter<'_> {
             end[C] = turn.machine;
         }
         self.state.machine = end;
-        self.state.last_motion_cut = feed.is_some();
+        self.state.last_motion_cut =
+            feed.is_some() || planted::is(Bug::CuttingForgotten) && self.state.last_motion_cut;
         let program_x = self.state.program(X);
         let mut motion = Motion {
             program: self.position(program_x, self.state.program(Z), |axis| self.state.program(axis)),
@@ -141,7 +144,8 @@ impl Interpreter<'_> {
             speed: None,
         };
         if self.state.constant_speed {
-            let choice = self.spindle_speed(program_x);
+            let from = start[X] - self.state.frame(X);
+            let choice = self.spindle_speed(if planted::is(Bug::SpeedAtStart) { from } else { program_x });
             motion.speed = Some(Speed(choice.value));
             cites = cites.and(if feed.is_none() { cite::CSS_05 } else { cite::CSS_01 });
             match choice.limit {
@@ -192,8 +196,11 @@ impl Interpreter<'_> {
     #[inline]
     fn limit(&self, axis: usize, machine: &mut i64, is_arc: bool) -> Result<bool, Fault> {
         match limited(*machine, self.state.negative_limits[axis], self.state.positive_limits[axis]) {
+            Limited::Within if planted::is(Bug::LimitInclusive) => {
+                Ok(self.state.positive_limits[axis] == Some(*machine))
+            }
             Limited::Within => Ok(false),
-            Limited::AbovePositive(limit) if !is_arc => {
+            Limited::AbovePositive(limit) if !is_arc || planted::is(Bug::LimitOfArcs) => {
                 *machine = limit;
                 Ok(true)
             }
@@ -207,7 +214,7 @@ impl Interpreter<'_> {
         if !self.state.c_joined {
             return Fault::raise(AlarmName::CAxisNotJoined, rules::CAX_02);
         }
-        if self.state.c_clamped {
+        if self.state.c_clamped && !planted::is(Bug::ClampLost) {
             return Fault::raise(AlarmName::CAxisClamped, rules::CAX_07);
         }
         let present = self.state.program(C);
@@ -215,8 +222,11 @@ impl Interpreter<'_> {
             None => present,
             Some(word) => turn::within(coordinate(present, word, self.state.incremental)),
         };
-        let travel = turn::travel(present, target, turns, self.state.c_negative);
-        let machine = turn::within(to_machine(target, self.state.frame(C)));
+        let negative = self.state.c_negative;
+        let turns = if planted::is(Bug::TurnsOfNegativeSense) && negative { -turns } else { turns };
+        let travel = turn::travel(present, target, turns, negative);
+        let machine = to_machine(target, self.state.frame(C));
+        let machine = if planted::is(Bug::CWrap) { machine } else { turn::within(machine) };
         Ok(Turn { travel, machine })
     }
 
@@ -224,7 +234,8 @@ impl Interpreter<'_> {
     #[inline]
     fn path(&self, start: &Amounts, end: &Amounts, turn: Option<i64>) -> i64 {
         let square = |axis: usize| feed::square(start[axis], end[axis]);
-        let (x, along) = (square(X), square(Z) + square(W));
+        let w = if planted::is(Bug::PathWithoutW) { 0 } else { square(W) };
+        let (x, along) = (square(X), square(Z) + w);
         let Measure { square, divisor } = match turn {
             Some(travel) => feed::path_with_turn(x, along, travel),
             None => feed::path(x, along, self.setup.readings.feed_length),

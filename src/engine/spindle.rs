@@ -13,6 +13,7 @@ use super::arithmetic::speed::{SpeedChoice, surface, thousandths};
 use super::block::{OneShot, Plan};
 use super::exact::{Formula, Real, round, sign};
 use super::fault::Fault;
+use super::planted::{self, Bug};
 use super::state::X;
 use super::words::{Address, Words};
 
@@ -43,7 +44,9 @@ impl Interpreter<'_> {
         let clamp = self.state.clamp;
         if !self.state.constant_speed {
             let acts = self.setup.readings.speed_clamp == SpeedClamp::Always;
-            let commanded = SpeedChoice { value: self.state.speed, limit: None };
+            let equal = planted::is(Bug::ClampInclusive) && acts && clamp == Some(self.state.speed);
+            let limit = equal.then_some(SpeedLimit::Clamp);
+            let commanded = SpeedChoice { value: self.state.speed, limit };
             return commanded.clamped(clamp.filter(|_| acts));
         }
         let spindle = &self.setup.spindle;
@@ -53,7 +56,9 @@ impl Interpreter<'_> {
         let choice = |value, limit| SpeedChoice { value, limit };
         let geared = if self.compare_rate(diameter, maximum.0) == Ordering::Greater {
             choice(maximum.0, Some(SpeedLimit::GearMaximum))
-        } else if self.compare_rate(diameter, minimum.0) == Ordering::Less {
+        } else if self.compare_rate(diameter, minimum.0) == Ordering::Less
+            && !planted::is(Bug::GearMinimumLost)
+        {
             choice(minimum.0, Some(SpeedLimit::GearMinimum))
         } else if clamp.is_some_and(|clamp| self.compare_rate(diameter, clamp) == Ordering::Greater) {
             return choice(clamp.unwrap_or_default(), Some(SpeedLimit::Clamp));
@@ -64,7 +69,7 @@ impl Interpreter<'_> {
             let rate = self.rate(diameter, 0);
             return choice(round(&rate, &mut self.slow), None);
         };
-        geared.clamped(clamp)
+        geared.clamped(clamp.filter(|_| !planted::is(Bug::ClampIgnored)))
     }
 
     fn rate(&self, diameter: i64, less: i64) -> CuttingRate {
@@ -179,7 +184,7 @@ fn plain(spindle: SpindleName, state: SpindleState, speed: i64, gear: Label) -> 
 /// What M63 adds to a spindle event of its block, or its absence in a motion block.
 pub fn answer(words: &Words, plan: Plan, rules: RuleSet) -> (RuleSet, bool) {
     if words.has_m(63) {
-        (rules.with(M63_02), plan.moves)
+        (rules.with(M63_02), plan.moves || planted::is(Bug::AnswerWithoutMotion))
     } else if plan.moves {
         (rules.with(M63_01), false)
     } else {

@@ -5,6 +5,7 @@ use turnspec_oracle::vocabulary::{
 };
 
 use super::arithmetic::{frame, turn};
+use super::planted::{self, Bug};
 
 /// Amounts of the four axes in nanometres and micro-degrees, X as a diameter; by [`super::system::Axis`].
 pub type Amounts = [i64; 4];
@@ -188,6 +189,7 @@ impl State {
     pub fn frame(&self, axis: usize) -> i64 {
         let tool_offset = match axis {
             X | Z => self.offset_sign * self.active_offset()[axis],
+            W if planted::is(Bug::ShiftTwice) => self.zero_shift[W],
             _ => 0,
         };
         frame::between(self.zero_offset[axis], self.zero_shift[axis], tool_offset)

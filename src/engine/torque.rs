@@ -10,6 +10,7 @@ use super::arithmetic::limit::{Limited, limited};
 use super::cite::{self, Cites};
 use super::fault::Fault;
 use super::motion::{Element, Kind};
+use super::planted::{self, Bug};
 use super::state::{W, Z};
 use super::words::{Address, Words};
 
@@ -62,7 +63,7 @@ impl Interpreter<'_> {
         // Distances from the start in the direction of the feed.
         let along = |point: i64| direction * point.saturating_sub(start);
         let stop = self.setup.inputs.torque_stops.get(self.state.stops_used).map(|stop| stop.0);
-        self.state.stops_used += 1;
+        self.state.stops_used += usize::from(!planted::is(Bug::TorqueStopReused));
         let stop = stop.filter(|stop| along(*stop) > 0 && along(*stop) <= along(last));
         if let Some(stop) = stop.filter(|stop| along(*stop) <= along(approach))
             && is_watched(along(stop), feed.value.0, delay)
