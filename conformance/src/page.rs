@@ -22,7 +22,7 @@ margin:.5rem 0}\
 table{border-collapse:collapse;width:100%;font-size:.92rem}\
 th,td{text-align:left;vertical-align:top;padding:.3rem .7rem .3rem 0;border-bottom:1px solid var(--line)}\
 td.number,th.number{text-align:right;font-variant-numeric:tabular-nums}\
-td code{overflow-wrap:anywhere}\
+table.narrow{width:auto}td code{overflow-wrap:anywhere}\
 details{border-bottom:1px solid var(--line);padding:.5rem 0}summary{cursor:pointer}\
 dl{display:grid;grid-template-columns:max-content minmax(0,1fr);gap:.2rem 1rem;margin:.6rem 0}\
 dt{color:var(--faint)}dd{margin:0;overflow-wrap:anywhere}\
@@ -32,6 +32,23 @@ dt{color:var(--faint)}dd{margin:0;overflow-wrap:anywhere}\
 @media print{:root{color-scheme:light;--text:#000;--back:#fff;--soft:#f3f4f6;--line:#bbb;--faint:#444;\
 --good:#0b5a2c;--bad:#9b1c14;--warn:#6d4700}body{max-width:none;padding:0;font-size:10pt}\
 details,tr{break-inside:avoid}h2,h3{break-after:avoid}}";
+
+/// Text of a rule for a page: paragraphs, tables as they stand, words in backticks as code.
+#[must_use]
+pub fn prose(markdown: &str) -> Markup {
+    html! {
+        @for paragraph in markdown.split("\n\n") {
+            @if paragraph.starts_with(['|', ' ']) || paragraph.contains("\n|") { pre { (paragraph) } }
+            @else {
+                p {
+                    @for (number, part) in paragraph.split('`').enumerate() {
+                        @if number % 2 == 0 { (part) } @else { code { (part) } }
+                    }
+                }
+            }
+        }
+    }
+}
 
 /// A page with a title and a body. The title stands in the head only.
 #[must_use]
@@ -56,13 +73,15 @@ pub fn page(title: &str, body: &Markup) -> String {
 mod tests {
     use maud::html;
 
-    use super::page;
+    use super::{page, prose};
 
     #[test]
     fn text_is_escaped_and_nothing_is_loaded() {
         let text = page("<title>", &html! { p { "a <script> & more" } });
         assert!(text.starts_with("<!DOCTYPE html>") && text.contains("&lt;title&gt;"));
         assert!(text.contains("a &lt;script&gt; &amp; more"));
+        let prose = prose("a `G01` <b>\n\n| x |").into_string();
+        assert_eq!(prose, "<p>a <code>G01</code> &lt;b&gt;</p><pre>| x |</pre>");
         for foreign in ["<script", "http:", "https:", "url(", "@import", "src="] {
             assert!(!text.contains(foreign), "{foreign}");
         }

@@ -3,7 +3,7 @@
 use maud::{Markup, html as markup};
 
 use super::{CaseReport, Explanation, Report, Ruling};
-use crate::page::page;
+use crate::page::{page, prose};
 
 /// The report as a self-contained HTML page.
 #[must_use]
@@ -48,7 +48,7 @@ fn verdict(report: &Report) -> Markup {
 
 fn counts(report: &Report) -> Markup {
     markup! {
-        div.scroll { table {
+        div.scroll { table.narrow {
             tr { th { "verdict" } th.number { "cases" } }
             @for (verdict, count) in &report.verdicts {
                 tr { td { (tag(*verdict)) } td.number { (count) } }
@@ -95,10 +95,7 @@ fn divergence(explanation: &Explanation) -> Markup {
         }
         @for rule in &explanation.rules {
             h3 { (rule.id) " · " (rule.title) }
-            @for paragraph in rule.statement.split("\n\n") {
-                @if paragraph.contains('|') || paragraph.starts_with(' ') { pre { (paragraph) } }
-                @else { p { (paragraph) } }
-            }
+            (prose(&rule.statement))
         }
     }
 }
