@@ -4,16 +4,33 @@
 //! `schemas/`. An implementation in any language can read them: run the program on the set-up, write the
 //! trace, compare it line by line with `expect`.
 
+mod alignment;
 mod case;
+mod comparison;
+mod decimal;
+mod declaration;
+mod expectation;
 mod figure;
 mod files;
+mod observation;
+mod process;
 #[cfg(feature = "schema")]
 mod schema;
 mod tag;
+mod task;
+mod tolerance;
 
 pub use case::{Basis, Case};
+pub use comparison::{Difference, Divergence, Verdict, compare, compare_traces, read_trace};
+pub use decimal::Decimal;
+pub use declaration::{Alarms, Declaration, DeclarationError, Subject, Undecided, Waiver};
+pub use expectation::{Expected, ExpectedEvent, Line};
 pub use figure::Figure;
 pub use files::cases;
+pub use observation::{Observation, printable};
+pub use process::{Exit, Implementation, Outcome, RunError};
 #[cfg(feature = "schema")]
 pub use schema::schemas;
 pub use tag::Flag;
+pub use task::{PROTOCOL, Task, bytes_of_text, text_of_bytes};
+pub use tolerance::{Relation, Tolerance};
