@@ -12,8 +12,9 @@ M_CODES = {0, 1, 2, 3, 4, 5, 8, 9, 30}
 PROGRAM_ENDS = {2, 30}
 
 # Lathe in the Z-X plane, X as a diameter, millimetres, no compensation: what an E100L is built as. The modes
-# are those of its power-on. rs274 refuses feed per revolution while the spindle speed is 0, so that it gets one.
-PRELUDE = "G7 G18 G21 G40 G90 G95 S1"
+# are those of its power-on. rs274 refuses feed per revolution while the spindle speed is 0, so that it gets one
+# that its four decimals print as 0.
+PRELUDE = "G7 G18 G21 G40 G90 G95 S0.00001"
 
 BLANKS = re.compile(r"(?:[ \t\r\x7f\x08]+|\([^)]*\))*")
 COMMENT = re.compile(r"\(([^)]*)\)")
@@ -48,8 +49,8 @@ class Block:
         return ("/" if self.is_optional else "") + " ".join(parts)
 
     def moves(self):
-        """Whether the block has a coordinate."""
-        return any(address in "XZ" for address, _ in self.words)
+        """Whether the block has a word that asks for motion."""
+        return any(address in "XZIKL" for address, _ in self.words)
 
     def ends_program(self):
         return any(address == "M" and int(number) in PROGRAM_ENDS for address, number in self.words)
@@ -122,7 +123,7 @@ def shared_number(address, text):
     decimals = len(text.partition(".")[2].rstrip("0"))
     if address in "GM":
         codes = G_CODES if address == "G" else M_CODES
-        if not text.isdigit() or int(text) not in codes:
+        if not re.fullmatch("[0-9]{1,3}", text) or int(text) not in codes:
             raise NotShared(address + text)
     elif address in "XZIKL":
         if decimals > 3:
