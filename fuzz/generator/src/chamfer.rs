@@ -1,6 +1,6 @@
 //! Chamfers and roundings, G75 and G76, with the blocks that they look ahead to; blocks with A alone.
 
-use turnspec_oracle::vocabulary::{ChamferLeg, Chamfering, IncrementalAfterChamfer};
+use turnspec_oracle::vocabulary::{ChamferLeg, Chamfering, Feature, IncrementalAfterChamfer};
 
 use crate::builder::Builder;
 use crate::geometry::Point;
@@ -28,7 +28,11 @@ impl Builder<'_, '_, '_> {
 
     /// The code of a chamfer block, and G01 where it is needed.
     fn chamfer_codes(&mut self, items: &mut Vec<Item>) -> bool {
-        let rounding = self.choices.chance(50);
+        let rounding = match (self.allows(Feature::Chamfer), self.allows(Feature::Rounding)) {
+            (true, false) => false,
+            (false, true) => true,
+            _ => self.choices.chance(50),
+        };
         self.select(Mode::Linear, items);
         items.insert(0, Item::g(if rounding { 76 } else { 75 }));
         self.feed_if_needed(items);

@@ -1,5 +1,7 @@
 //! Positioning and lines: G00, G01, with C, W, QA and the direct taper angle A.
 
+use turnspec_oracle::vocabulary::Feature;
+
 use crate::builder::Builder;
 use crate::program::Item;
 use crate::state::{Axis, Mode};
@@ -18,7 +20,11 @@ impl Builder<'_, '_, '_> {
     pub(crate) fn line(&mut self, mode: Mode) {
         let mut items = Vec::new();
         self.companions(&mut items);
-        if mode == Mode::Rapid && self.choices.chance(4) && self.may_index(mode) {
+        if mode == Mode::Rapid
+            && self.choices.chance(4)
+            && self.may_index(mode)
+            && self.allows(Feature::Turret)
+        {
             items.extend([Item::g(0), Item::m(203)]);
         } else {
             self.select(mode, &mut items);
@@ -90,7 +96,7 @@ impl Builder<'_, '_, '_> {
 
     /// M00 or M01 in a motion block, rarely.
     fn program_stop(&mut self, items: &mut Vec<Item>) {
-        if self.choices.chance(2) {
+        if self.choices.chance(2) && self.allows(Feature::OptionalStop) {
             items.push(Item::m(self.choices.within(0, 1)));
         }
     }
