@@ -17,4 +17,6 @@ pub enum Flag {
     Completed,
     /// The expected trace names a reading that the set-up can switch.
     Reading,
+    /// The program was generated, and the expected trace is that of the reference semantics.
+    Generated,
 }

@@ -9,6 +9,7 @@ mod excerpt;
 mod explain;
 mod failure;
 mod format;
+mod fuzz;
 mod input;
 mod lockstep;
 mod machine;
@@ -59,6 +60,7 @@ enum Command {
     Check(check::Arguments),
     Explain(explain::Arguments),
     Rules(rules::Arguments),
+    Fuzz(fuzz::Arguments),
     Completions(completions::Arguments),
 }
 
@@ -73,6 +75,7 @@ impl Cli {
             Command::Check(arguments) => check::carry_out(&arguments, self.color),
             Command::Explain(arguments) => explain::carry_out(&arguments, self.color),
             Command::Rules(arguments) => rules::carry_out(&arguments),
+            Command::Fuzz(arguments) => fuzz::carry_out(&arguments),
             Command::Completions(arguments) => completions::carry_out(&arguments),
         }
     }
