@@ -5,6 +5,8 @@ use turnspec_oracle::vocabulary::{AlarmName, IncrementalAfterChamfer, ReadingSet
 
 use super::Interpreter;
 use super::ahead::Need;
+use super::arithmetic::frame::coordinate;
+use super::arithmetic::plane::Point;
 use super::block::Plan;
 use super::cite::{self, Cites};
 use super::exact::{Formula, Real, round};
@@ -12,13 +14,6 @@ use super::fault::Fault;
 use super::motion::{Element, Kind};
 use super::state::{Base, W, X, Z};
 use super::words::{Address, Slot, Words};
-
-/// A point in program coordinates, X as a diameter.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub struct Point {
-    pub x: i64,
-    pub z: i64,
-}
 
 /// What a block says about the end of its line.
 #[derive(Clone, Copy, Debug)]
@@ -43,9 +38,7 @@ impl Course {
 
     /// The coordinates that the words give, counted from a reference point.
     fn coordinates(&self, reference: Point) -> (Option<i64>, Option<i64>) {
-        let from = |reference: i64, word: i64| {
-            if self.incremental { reference.saturating_add(word) } else { word }
-        };
+        let from = |reference: i64, word: i64| coordinate(reference, word, self.incremental);
         (self.x.map(|x| from(reference.x, x)), self.z.map(|z| from(reference.z, z)))
     }
 
@@ -177,9 +170,9 @@ impl Interpreter<'_> {
             readings = end.readings;
             self.state.angle_target = end.beyond.map(|point| (point.x, point.z));
         }
-        let w = words.get(Address::W).map(|word| {
-            if self.state.incremental { self.state.program(W).saturating_add(word) } else { word }
-        });
+        let w = words
+            .get(Address::W)
+            .map(|word| coordinate(self.state.program(W), word, self.state.incremental));
         let turns = words.get(Address::QA);
         let c_word = words.get(Address::C);
         let c = (turns.is_some() || c_word.is_some()).then(|| (c_word, turns.unwrap_or_default()));

@@ -4,9 +4,11 @@ use turnspec_oracle::vocabulary::rule_ids::*;
 use turnspec_oracle::vocabulary::{Action, AlarmName, Duration, Ending, FrameCause, Label, RuleSet, Sink};
 
 use super::Interpreter;
+use super::arithmetic::speed::thousandths;
+use super::arithmetic::{frame, turn};
 use super::block::{OneShot, Plan};
 use super::fault::Fault;
-use super::state::{C, StoredFeed, TURN, W, X, Z};
+use super::state::{C, StoredFeed, W, X, Z};
 use super::words::{Address, Slot, Words};
 
 impl Interpreter<'_> {
@@ -114,13 +116,9 @@ impl Interpreter<'_> {
                 let mut shifted = false;
                 for (address, axis) in axes {
                     if let Some(word) = words.get(address) {
-                        let change = self.state.program(axis).saturating_sub(word);
-                        let shift = &mut self.state.zero_shift[axis];
-                        *shift = shift.saturating_add(change);
-                        if axis == C {
-                            // Whole turns are taken off toward zero.
-                            *shift %= TURN;
-                        }
+                        let program = self.state.program(axis);
+                        let shift = frame::shift_to(self.state.zero_shift[axis], program, word);
+                        self.state.zero_shift[axis] = if axis == C { turn::shift(shift) } else { shift };
                         shifted = true;
                     }
                 }
@@ -129,7 +127,7 @@ impl Interpreter<'_> {
                     self.emit_word_frame(sink, FrameCause::ZeroShift, RULES);
                 }
                 if let Some(speed) = words.get(Address::S) {
-                    self.state.clamp = Some(speed * 1000);
+                    self.state.clamp = Some(thousandths(speed));
                     self.emit_main_spindle(sink, const { RuleSet::of(&[SMAX_02]) }, false, self.state.clamp);
                 }
             }

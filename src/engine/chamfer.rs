@@ -9,8 +9,8 @@ use turnspec_oracle::vocabulary::{AlarmName, ChamferLeg, Chamfering, ReadingSet,
 
 use super::Interpreter;
 use super::ahead::Need;
-use super::angle::{Course, Point};
-use super::arc::{difference, square_distance};
+use super::angle::Course;
+use super::arithmetic::plane::{self, Direction, Point, difference, square, square_distance};
 use super::block::{OneShot, Plan};
 use super::cite::{self, Cites};
 use super::exact::{Formula, Real, round, sign};
@@ -18,8 +18,6 @@ use super::fault::Fault;
 use super::motion::{Element, Kind};
 use super::state::Base;
 use super::words::{Address, Slot};
-
-type Direction = (i128, i128);
 
 /// What L measures.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -43,11 +41,11 @@ struct Corner {
 
 impl Corner {
     fn cross(&self) -> i128 {
-        self.incoming.0 * self.outgoing.1 - self.incoming.1 * self.outgoing.0
+        plane::cross(self.incoming, self.outgoing)
     }
 
     fn dot(&self) -> i128 {
-        self.incoming.0 * self.outgoing.0 + self.incoming.1 * self.outgoing.1
+        plane::dot(self.incoming, self.outgoing)
     }
 
     /// The distance from the corner to either end of the chamfer. With p = |u1| |u2| and
@@ -82,10 +80,6 @@ impl Corner {
 /// The length of a direction.
 fn length<R: Real>(direction: Direction, precision: R::Precision) -> R {
     R::integer(square(direction), precision).root()
-}
-
-fn square((z, x): Direction) -> i128 {
-    z * z + x * x
 }
 
 /// The reach of a corner less the length that is there for it.

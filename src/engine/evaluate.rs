@@ -5,10 +5,12 @@ use turnspec_oracle::vocabulary::rule_ids::*;
 use turnspec_oracle::vocabulary::{Action, AlarmName, InchConversion, Label, RuleId, RuleSet, Sink, Value};
 
 use super::Interpreter;
+use super::arithmetic::round::Rounding;
+use super::arithmetic::tool::ToolWord;
 use super::codes::{self, GGroup, Status};
 use super::fault::Fault;
 use super::functions;
-use super::number::{Number, Rounding};
+use super::number::Number;
 use super::words::{Address, Code, Function, Item, Operand, Operation, Parsed, Slot, Source, Words};
 
 impl Interpreter<'_> {
@@ -134,8 +136,7 @@ impl Interpreter<'_> {
             return Fault::raise(AlarmName::ToolNumber, TOOL_01);
         }
         let value = number.whole(1, Rounding::HalfAway);
-        let sets = i64::from(options.offset_sets);
-        if value / 10_000 > sets || value % 100 > sets {
+        if !ToolWord::new(value).exists(options.offset_sets) {
             return Fault::raise(AlarmName::ToolNumber, TOOL_03);
         }
         Ok(value)

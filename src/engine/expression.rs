@@ -3,9 +3,10 @@
 use turnspec_oracle::vocabulary::AlarmName;
 use turnspec_oracle::vocabulary::rule_ids::*;
 
+use super::arithmetic::digits::Digits;
+use super::arithmetic::scale::TEN;
 use super::fault::Fault;
 use super::items::{Variable, is_extended, local_variable};
-use super::number::TEN;
 use super::parse::{KEYWORDS, Parser, check_digits};
 use super::text::{Class, class};
 use super::words::{Code, Comparison, Function, Operand, Operation};
@@ -238,22 +239,17 @@ impl Parser<'_> {
 
     /// A decimal constant: integer without a point, real with one.
     fn constant(&mut self) -> Result<(), Fault> {
-        let (mut digits, mut written, mut scale, mut point) = (0_i32, 0_u32, 0_usize, false);
+        let mut digits = Digits::default();
         while let Some(byte) = self.peek() {
             match byte {
-                b'0'..=b'9' => {
-                    written += 1;
-                    if written <= 8 {
-                        digits = digits * 10 + i32::from(byte - b'0');
-                        scale += usize::from(point);
-                    }
-                }
-                b'.' if !point => point = true,
+                b'0'..=b'9' => digits.push(byte - b'0'),
+                b'.' if digits.push_point() => {}
                 b'.' => return Fault::raise(AlarmName::NumberMalformed, FMT_01),
                 _ => break,
             }
             self.at += 1;
         }
+        let Digits { value, scale, written, point } = digits;
         if written == 0 {
             return Fault::raise(AlarmName::NumberMalformed, FMT_01);
         }
@@ -261,9 +257,9 @@ impl Parser<'_> {
         #[allow(clippy::cast_precision_loss)]
         let value = if point {
             // Both are exact, so the quotient is rounded once.
-            Operand::Real(f64::from(digits) / TEN[scale.min(8)] as f64)
+            Operand::Real(value as f64 / TEN[usize::from(scale)] as f64)
         } else {
-            Operand::Integer(digits)
+            Operand::Integer(i32::try_from(value).unwrap_or(i32::MAX))
         };
         self.operation(Operation::Constant(value));
         Ok(())

@@ -3,9 +3,11 @@
 use turnspec_oracle::vocabulary::rule_ids::*;
 use turnspec_oracle::vocabulary::{AlarmName, RuleId, Setup, UnitSystem};
 
+use super::arithmetic::decimal_code;
+use super::arithmetic::round::Rounding;
 use super::exact::{self, SlowPaths};
 use super::fault::Fault;
-use super::number::{Number, Rounding};
+use super::number::Number;
 use super::words::{Comparison, Function, Operand};
 
 /// The dependence of the functions on the unit system.
@@ -197,29 +199,20 @@ fn from_decimal_code(a: Operand) -> Result<Operand, Fault> {
     let Operand::Integer(pattern) = cut(a, FUNC_19)? else {
         return Fault::raise(AlarmName::IntegerOverflow, FUNC_19);
     };
-    let pattern = pattern.cast_unsigned();
-    let mut value = 0;
-    for nibble in (0..8).rev().map(|place| pattern >> (4 * place) & 15) {
-        if nibble > 9 {
-            return Fault::raise(AlarmName::FunctionDomain, FUNC_10);
-        }
-        value = value * 10 + i64::from(nibble);
+    match decimal_code::number(pattern.cast_unsigned()) {
+        Some(value) => integer(value.into(), FUNC_19),
+        None => Fault::raise(AlarmName::FunctionDomain, FUNC_10),
     }
-    integer(value, FUNC_19)
 }
 
 /// BCD: a number of at most eight digits, one a nibble.
 fn to_decimal_code(a: Operand) -> Result<Operand, Fault> {
-    let value = a.number().whole(1, Rounding::Cut);
-    if !(0..=99_999_999).contains(&value) {
-        return Fault::raise(AlarmName::FunctionDomain, FUNC_11);
+    match u32::try_from(a.number().whole(1, Rounding::Cut)) {
+        Ok(value @ 0..=decimal_code::MOST) => {
+            Ok(Operand::Integer(decimal_code::pattern(value).cast_signed()))
+        }
+        _ => Fault::raise(AlarmName::FunctionDomain, FUNC_11),
     }
-    let (mut pattern, mut rest) = (0_u32, value.unsigned_abs());
-    for place in 0..8 {
-        pattern |= u32::try_from(rest % 10).unwrap_or(0) << (4 * place);
-        rest /= 10;
-    }
-    Ok(Operand::Integer(pattern.cast_signed()))
 }
 
 #[cfg(test)]

@@ -6,6 +6,7 @@ use turnspec_oracle::vocabulary::{
 };
 
 use super::Interpreter;
+use super::arithmetic::tool::ToolWord;
 use super::block::Plan;
 use super::codes;
 use super::fault::Fault;
@@ -15,8 +16,7 @@ use super::words::Words;
 impl Interpreter<'_> {
     /// T: turret, tool offset, nose radius.
     pub(super) fn change_tool(&mut self, word: i64, moves: bool, sink: &mut impl Sink) -> Result<(), Fault> {
-        let field = |value: i64| u8::try_from(value % 100).unwrap_or(0);
-        let (nose, tool, offset) = (field(word / 10_000), field(word / 100), field(word));
+        let ToolWord { nose, tool, offset } = ToolWord::new(word);
         let index = tool != 0 && tool != self.state.tool;
         let mut rules = const { RuleSet::of(&[TOOL_02]) };
         if moves {

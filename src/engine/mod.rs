@@ -7,6 +7,7 @@
 mod ahead;
 mod angle;
 mod arc;
+pub mod arithmetic;
 mod block;
 mod carry;
 mod chamfer;
@@ -39,11 +40,12 @@ use turnspec_oracle::vocabulary::{
 
 pub use exact::SlowPaths;
 
+use arithmetic::span::offset;
+use arithmetic::units::Units;
 use cite::CiteCache;
 use fault::Fault;
 use functions::Scales;
 use names::Names;
-use number::Units;
 use parse::{Options, Parser};
 use state::State;
 use text::Reader;
@@ -115,7 +117,7 @@ impl<'a> Interpreter<'a> {
     pub fn new(program: &'a [u8], setup: &'a Setup) -> Self {
         Self {
             setup,
-            units: Units::new(setup),
+            units: Units::new(setup.unit_system),
             scales: Scales::new(setup),
             options: Options::new(setup),
             known: Known::new(&setup.readings),
@@ -196,7 +198,6 @@ impl<'a> Interpreter<'a> {
     }
 
     fn read_with(&mut self, slot: &mut Slot, buffer: &mut Vec<u8>) -> Result<bool, Fault> {
-        let offset = |offset: usize| u32::try_from(offset).unwrap_or(u32::MAX);
         while let Some(lines) = self.reader.next_lines() {
             slot.place = Place {
                 program: self.program,

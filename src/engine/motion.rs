@@ -2,15 +2,19 @@
 
 use turnspec_oracle::vocabulary::rule_ids as rules;
 use turnspec_oracle::vocabulary::{
-    Action, AlarmName, Angle, Feed, FeedLength, FeedRate, FeedUnit, Length, Motion, Position, ReadingSet,
+    Action, AlarmName, Angle, Feed, FeedRate, FeedUnit, Length, Motion, Position, ReadingSet,
     Sense, Sink, Speed, SpeedLimit,
 };
 
 use super::Interpreter;
+use super::arithmetic::feed::{self, Measure};
+use super::arithmetic::frame::{coordinate, to_machine};
+use super::arithmetic::limit::{Limited, in_range, limited};
+use super::arithmetic::root::root_over;
+use super::arithmetic::turn;
 use super::cite::{self, Cites};
-use super::exact::root_over;
 use super::fault::Fault;
-use super::state::{Amounts, C, TURN, W, X, Z};
+use super::state::{Amounts, C, W, X, Z};
 use super::words::{Address, Words};
 
 /// The kind of an element.
@@ -117,7 +121,7 @@ impl Interpreter<'_> {
         let is_arc = matches!(kind, Kind::Arc { .. });
         for (axis, target) in [(X, x), (Z, z), (W, w)] {
             if let Some(target) = target {
-                let machine = target.saturating_add(self.state.frame(axis));
+                let machine = to_machine(target, self.state.frame(axis));
                 end[axis] = machine;
                 if !limited && self.limit(axis, &mut end[axis], is_arc)? {
                     cites = cites.and(cite::LIM_01);
@@ -187,18 +191,14 @@ impl Interpreter<'_> {
     /// Applies the limits of an axis to a machine coordinate; true when it was replaced.
     #[inline]
     fn limit(&self, axis: usize, machine: &mut i64, is_arc: bool) -> Result<bool, Fault> {
-        if self.state.negative_limits[axis].is_some_and(|limit| *machine < limit) {
-            return Fault::raise(AlarmName::TravelLimitNegative, rules::LIM_02);
-        }
-        match self.state.positive_limits[axis] {
-            Some(limit) if *machine > limit => {
-                if is_arc {
-                    return Fault::raise(AlarmName::TravelLimitPositive, rules::LIM_01);
-                }
+        match limited(*machine, self.state.negative_limits[axis], self.state.positive_limits[axis]) {
+            Limited::Within => Ok(false),
+            Limited::AbovePositive(limit) if !is_arc => {
                 *machine = limit;
                 Ok(true)
             }
-            _ => Ok(false),
+            Limited::AbovePositive(_) => Fault::raise(AlarmName::TravelLimitPositive, rules::LIM_01),
+            Limited::BelowNegative => Fault::raise(AlarmName::TravelLimitNegative, rules::LIM_02),
         }
     }
 
@@ -213,42 +213,29 @@ impl Interpreter<'_> {
         let present = self.state.program(C);
         let target = match target {
             None => present,
-            Some(word) if self.state.incremental => (present + word).rem_euclid(TURN),
-            Some(word) => word.rem_euclid(TURN),
+            Some(word) => turn::within(coordinate(present, word, self.state.incremental)),
         };
-        let travel = if self.state.c_negative {
-            -((present - target).rem_euclid(TURN)) - turns * TURN
-        } else {
-            (target - present).rem_euclid(TURN) + turns * TURN
-        };
-        let machine = target.saturating_add(self.state.frame(C)).rem_euclid(TURN);
+        let travel = turn::travel(present, target, turns, self.state.c_negative);
+        let machine = turn::within(to_machine(target, self.state.frame(C)));
         Ok(Turn { travel, machine })
     }
 
     /// The length on which the feed is measured (E100L-G01-04, E100L-CFEED-03).
     #[inline]
     fn path(&self, start: &Amounts, end: &Amounts, turn: Option<i64>) -> i64 {
-        // No travel comes near 2^55 nanometres, 36 000 km; the bound keeps the squares in range.
-        let square = |axis: usize| {
-            let travel = u128::from(end[axis].abs_diff(start[axis]).min(1 << 55));
-            travel * travel
+        let square = |axis: usize| feed::square(start[axis], end[axis]);
+        let (x, along) = (square(X), square(Z) + square(W));
+        let Measure { square, divisor } = match turn {
+            Some(travel) => feed::path_with_turn(x, along, travel),
+            None => feed::path(x, along, self.setup.readings.feed_length),
         };
-        let along = square(Z) + square(W);
-        if let Some(travel) = turn {
-            // 500 mm a turn: 25/18 nm a micro-degree.
-            let travel = u128::from(travel.unsigned_abs());
-            return root_over(324 * (square(X) + along) + 625 * travel * travel, 18);
-        }
-        match self.setup.readings.feed_length {
-            FeedLength::Radius => root_over(square(X) + 4 * along, 2),
-            FeedLength::Diameter => root_over(square(X) + along, 1),
-        }
+        root_over(square, divisor)
     }
 
     /// A program coordinate within the range of its address (E100L-ADDR-01).
     #[inline]
     pub(super) fn check_coordinate(&self, target: i64) -> Result<(), Fault> {
-        if target.unsigned_abs() > self.units.longest.unsigned_abs() {
+        if !in_range(target, self.units.longest) {
             return Fault::raise(AlarmName::CoordinateRange, rules::ADDR_01);
         }
         Ok(())

@@ -9,10 +9,11 @@ use turnspec_oracle::vocabulary::{
 };
 
 use super::Interpreter;
+use super::arithmetic::speed::{SpeedChoice, surface, thousandths};
 use super::block::{OneShot, Plan};
 use super::exact::{Formula, Real, round, sign};
 use super::fault::Fault;
-use super::state::{SpeedChoice, X};
+use super::state::X;
 use super::words::{Address, Words};
 
 /// Thousandths of a revolution per minute at a cutting speed (µm/min) on a diameter (nm), less a speed:
@@ -42,12 +43,8 @@ impl Interpreter<'_> {
         let clamp = self.state.clamp;
         if !self.state.constant_speed {
             let acts = self.setup.readings.speed_clamp == SpeedClamp::Always;
-            return match clamp {
-                Some(clamp) if acts && self.state.speed > clamp => {
-                    SpeedChoice { value: clamp, limit: Some(SpeedLimit::Clamp) }
-                }
-                _ => SpeedChoice { value: self.state.speed, limit: None },
-            };
+            let commanded = SpeedChoice { value: self.state.speed, limit: None };
+            return commanded.clamped(clamp.filter(|_| acts));
         }
         let spindle = &self.setup.spindle;
         let gear = spindle.gear.iter().find(|gear| u16::from(gear.code) == self.state.gear);
@@ -67,10 +64,7 @@ impl Interpreter<'_> {
             let rate = self.rate(diameter, 0);
             return choice(round(&rate, &mut self.slow), None);
         };
-        match clamp {
-            Some(clamp) if geared.value > clamp => choice(clamp, Some(SpeedLimit::Clamp)),
-            _ => geared,
-        }
+        geared.clamped(clamp)
     }
 
     fn rate(&self, diameter: i64, less: i64) -> CuttingRate {
@@ -100,9 +94,9 @@ impl Interpreter<'_> {
                 rules = rules.with(SPD_02);
             }
             if self.state.constant_speed {
-                self.state.surface = CuttingSpeed(speed * self.units.surface);
+                self.state.surface = CuttingSpeed(surface(speed, self.units.surface));
             } else {
-                self.state.speed = speed * 1000;
+                self.state.speed = thousandths(speed);
                 rules = rules.with(CSS_02);
             }
             let (rules, with_motion) = answer(words, plan, rules);
@@ -114,7 +108,7 @@ impl Interpreter<'_> {
             self.emit(sink, const { RuleSet::of(&[CAX_08]) }, Action::Spindle(spindle));
         }
         if let Some(speed) = words.get(Address::SB) {
-            self.state.tool_speed = speed * 1000;
+            self.state.tool_speed = thousandths(speed);
             self.emit_tool_spindle(sink, const { RuleSet::of(&[SB_01, SB_02]) });
         }
         Ok(())

@@ -6,9 +6,10 @@ use turnspec_oracle::vocabulary::{
 };
 
 use super::Interpreter;
+use super::arithmetic::round::Rounding;
 use super::evaluate::push_number;
 use super::fault::Fault;
-use super::number::{Number, Rounding, quotient};
+use super::number::{Number, quotient};
 use super::state::{X, Z};
 use super::system::{Axis, SystemVariable};
 use super::words::Operand;

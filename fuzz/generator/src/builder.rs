@@ -100,8 +100,8 @@ impl<'b, 'c, 'd> Builder<'b, 'c, 'd> {
         self.profile.allows(feature)
     }
 
-    /// Adds lines that stay within the profile: what does not is taken back, and after a number of attempts left
-    /// out. False when the last attempt failed or was left out.
+    /// Adds lines that stay within the profile: what does not is taken back, and left out after a number of
+    /// attempts. False when nothing was added.
     fn within_profile(&mut self, attempts: usize, write: impl Fn(&mut Self) -> bool) -> bool {
         if self.profile.is_full() {
             return write(self);
@@ -143,7 +143,7 @@ impl<'b, 'c, 'd> Builder<'b, 'c, 'd> {
             None => usize::MAX,
         };
         if !fault.is_some_and(faults::is_first) && self.allows(Feature::ProgramName) {
-            self.beginning();
+            self.within_profile(ATTEMPTS, Self::beginning);
         }
         for number in 0..size {
             if number == place && fault.is_some_and(|fault| self.try_fault(fault)) {
@@ -171,7 +171,7 @@ impl<'b, 'c, 'd> Builder<'b, 'c, 'd> {
     }
 
     /// Header, `%`, program name.
-    fn beginning(&mut self) {
+    fn beginning(&mut self) -> bool {
         if !self.state.is_eia() && self.choices.chance(8) {
             let list: [&[u8]; 5] = [b"$SHAFT-1.MIN%", b"$A.MIN% ", b"$PART%", b"$X.Y.LIB %", b"$%"];
             let text = self.choices.pick(&list);
@@ -189,6 +189,7 @@ impl<'b, 'c, 'd> Builder<'b, 'c, 'd> {
             let tail: &[u8] = if self.choices.chance(15) { b" (SHAFT)" } else { b"" };
             self.raw(&[name, tail].concat());
         }
+        true
     }
 
     /// M02 or M30, with what may stand beside and after it.

@@ -6,7 +6,9 @@
 use std::collections::BTreeSet;
 
 use turnspec_generator::{Case, Profile, case_from_seed, case_from_seed_within};
-use turnspec_oracle::vocabulary::{Action, Chamfering, Event, Feature, Setup, SpindleName, SpindleState};
+use turnspec_oracle::vocabulary::{
+    Action, Chamfering, Event, Feature, Setup, SpindleName, SpindleState, TapeCode,
+};
 
 const SEEDS: u64 = 2_000;
 
@@ -158,7 +160,7 @@ fn foreign_words(case: &Case, features: &[Feature]) -> String {
     if !tape && !case.program.iter().all(plain) {
         return "characters".to_owned();
     }
-    if tape {
+    if case.setup.tape.code != TapeCode::Ascii {
         // The codes of a tape are judged by what the oracle reads in them.
         return String::new();
     }
