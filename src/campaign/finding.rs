@@ -2,10 +2,10 @@
 
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value, json};
-use turnspec_conformance::text_of_bytes;
-use turnspec_generator::{Case, Profile};
+use turnspec_conformance::{features_of, text_of_bytes};
+use turnspec_generator::Case;
 use turnspec_oracle::book;
-use turnspec_oracle::vocabulary::{Action, AlarmName, Event, Feature, RuleId, Setup, notation};
+use turnspec_oracle::vocabulary::{Action, AlarmName, Event, RuleId, Setup, notation};
 
 use super::Signature;
 use super::judgement::Disagreement;
@@ -75,7 +75,7 @@ fn conformance_case(seed: u64, run: u64, case: &Case, disagreement: &Disagreemen
         "title": format!("Generated: {}", disagreement.signature),
         "rules": disagreement.signature.rules,
         "control": control,
-        "features": features(case, &trace),
+        "features": features_of(&case.program, &case.setup, &trace),
         "flags": ["generated"],
         "source": format!("campaign of seed {seed}, run {run}"),
         "basis": basis(&trace),
@@ -86,17 +86,6 @@ fn conformance_case(seed: u64, run: u64, case: &Case, disagreement: &Disagreemen
         "stated": [],
         "derivation": "The expected trace is that of the reference semantics; another implementation disagreed.",
     })
-}
-
-/// What the case needs: every feature without which it would not be permitted.
-fn features(case: &Case, trace: &[Event]) -> Vec<Feature> {
-    let ends_in_alarm = matches!(trace.last(), Some(Event { action: Action::Alarm(_), .. }));
-    let is_needed = |feature: &Feature| {
-        let others: Vec<Feature> = Feature::ALL.iter().copied().filter(|other| other != feature).collect();
-        !Profile::of(&others).with_readings().permits(case)
-    };
-    let needed = |feature: &Feature| (*feature == Feature::Alarm && ends_in_alarm) || is_needed(feature);
-    Feature::ALL.iter().copied().filter(needed).collect()
 }
 
 /// Whether the manual settles the trace: the weakest basis of its rules.

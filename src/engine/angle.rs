@@ -170,9 +170,8 @@ impl Interpreter<'_> {
             readings = end.readings;
             self.state.angle_target = end.beyond.map(|point| (point.x, point.z));
         }
-        let w = words
-            .get(Address::W)
-            .map(|word| coordinate(self.state.program(W), word, self.state.incremental));
+        let w =
+            words.get(Address::W).map(|word| coordinate(self.state.program(W), word, self.state.incremental));
         let turns = words.get(Address::QA);
         let c_word = words.get(Address::C);
         let c = (turns.is_some() || c_word.is_some()).then(|| (c_word, turns.unwrap_or_default()));

@@ -2,8 +2,8 @@
 
 use turnspec_oracle::vocabulary::rule_ids as rules;
 use turnspec_oracle::vocabulary::{
-    Action, AlarmName, Angle, Feed, FeedRate, FeedUnit, Length, Motion, Position, ReadingSet,
-    Sense, Sink, Speed, SpeedLimit,
+    Action, AlarmName, Angle, Feed, FeedRate, FeedUnit, Length, Motion, Position, ReadingSet, Sense, Sink,
+    Speed, SpeedLimit,
 };
 
 use super::Interpreter;

@@ -9,10 +9,9 @@ import json
 import subprocess
 import sys
 import tempfile
-from pathlib import Path
 
 from trace import Machine
-from translate import NotShared, demand_shared_machine, program_text, settings, translate
+from translate import NotShared, demand_shared_machine, program_text, translate
 
 END, ALARM, UNSUPPORTED = 0, 1, 3
 
@@ -30,7 +29,7 @@ def run(program, setup):
     demand_shared_machine(setup)
     blocks, not_shared = translate(program, setup)
     machine = Machine(blocks, setup["switches"]["optional_stop"])
-    calls, messages = interpreted(program_text(blocks, setup), settings(setup), setup["switches"]["block_delete"])
+    calls, messages = interpreted(program_text(blocks, setup), setup["switches"]["block_delete"])
     for call in calls:
         machine.take(call)
     reached_the_rest = not machine.has_ended and (not messages or messages[0].startswith("File ended"))
@@ -43,13 +42,12 @@ def run(program, setup):
     return END if machine.has_ended else ALARM
 
 
-def interpreted(text, ini, block_delete):
+def interpreted(text, block_delete):
     """The calls that rs274 prints for a program, and its messages."""
-    with tempfile.TemporaryDirectory(prefix="turnspec-rs274-") as directory:
-        program, file = Path(directory, "program.ngc"), Path(directory, "rs274.ini")
-        program.write_text(text, encoding="latin-1")
-        file.write_text(ini, encoding="ascii")
-        command = ["rs274", "-i", file, *(["-b"] if block_delete else []), "-g", program]
+    with tempfile.NamedTemporaryFile("w", suffix=".ngc", encoding="latin-1") as program:
+        program.write(text)
+        program.flush()
+        command = ["rs274", *(["-b"] if block_delete else []), "-g", program.name]
         done = subprocess.run(command, capture_output=True, text=True, encoding="latin-1", check=False)
     messages = [line.removeprefix("executing") for line in done.stderr.splitlines()]
     return done.stdout.splitlines(), [line for line in messages if line]

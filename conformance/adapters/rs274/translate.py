@@ -84,11 +84,6 @@ def program_text(blocks, setup):
     return "\n".join([PRELUDE, f"G0 X{x} Z{z}", *(block.text for block in blocks), ""])
 
 
-def settings(setup):
-    """The set-up that rs274 reads: how far the two radii of an arc may differ."""
-    return f"[RS274NGC]\nCENTER_ARC_RADIUS_TOLERANCE_MM = {setup['parameters']['circular_radius_tolerance']}\n"
-
-
 def slash(text, place):
     is_there = text.startswith("/", place)
     return is_there, BLANKS.match(text, place + is_there).end()
@@ -121,10 +116,13 @@ def shared_number(address, text):
     if not NUMBER.fullmatch(text) or sum(character.isdigit() for character in text) > 8:
         raise NotShared(f"number {text}")
     decimals = len(text.partition(".")[2].rstrip("0"))
-    if address in "GM":
-        codes = G_CODES if address == "G" else M_CODES
-        if not re.fullmatch("[0-9]{1,3}", text) or int(text) not in codes:
-            raise NotShared(address + text)
+    if address == "G":
+        if not re.fullmatch("[0-9]{1,3}", text) or int(text) not in G_CODES:
+            raise NotShared(f"G{text}")
+    elif address == "M":
+        if Decimal(text) not in M_CODES:
+            raise NotShared(f"M{text}")
+        return str(int(Decimal(text)))
     elif address in "XZIKL":
         if decimals > 3:
             raise NotShared(f"{address}{text}: a fraction of the increment")

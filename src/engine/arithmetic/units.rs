@@ -53,4 +53,3 @@ impl Units {
         Self { length, last_digit, angle, feed, time, surface, inch, longest, feeds }
     }
 }
-
