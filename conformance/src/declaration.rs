@@ -6,8 +6,11 @@ use std::fmt;
 use serde::Deserialize;
 use turnspec_oracle::vocabulary::{Control, Feature, RuleId};
 
-use crate::Tolerance;
 use crate::observation::{KINDS, is_field};
+use crate::{Divergence, Tolerance};
+
+/// The difference of two kinds of event.
+const KIND: &str = "kind";
 
 /// A declaration, `--declare impl.toml`.
 #[derive(Clone, PartialEq, Eq, Debug, Deserialize)]
@@ -68,6 +71,8 @@ pub enum Undecided {
 pub struct Waiver {
     /// What may fail.
     pub subject: Subject,
+    /// The only field that may differ first, or `kind`: another event, or none, in the place of the expected one.
+    pub field: Option<String>,
     /// Why.
     pub reason: String,
 }
@@ -86,6 +91,7 @@ pub enum Subject {
 struct WaiverTable {
     case: Option<String>,
     rule: Option<RuleId>,
+    field: Option<String>,
     reason: String,
 }
 
@@ -101,7 +107,19 @@ impl TryFrom<WaiverTable> for Waiver {
             (None, Some(rule)) => Subject::Rule(rule),
             _ => return Err("a waiver names either a case or a rule"),
         };
-        Ok(Self { subject, reason: table.reason })
+        if table.field.as_ref().is_some_and(|field| field != KIND && !is_field(field)) {
+            return Err("the field of a waiver is `kind`, or a field of compact notation");
+        }
+        Ok(Self { subject, field: table.field, reason: table.reason })
+    }
+}
+
+impl Waiver {
+    /// Whether it permits what differs first in a divergence.
+    #[must_use]
+    pub fn permits_field(&self, divergence: &Divergence) -> bool {
+        let first = divergence.differences.first().map_or(KIND, |difference| difference.field.as_str());
+        self.field.as_ref().is_none_or(|field| field == first)
     }
 }
 
@@ -199,7 +217,7 @@ mod tests {
              events = ['rapid', 'alarm']\nomits = ['mx', 'path']\nalarms = 'any'\nundecided = 'alarm'\n\
              [tolerance]\nlength = '0.0005'\nspeed = 0.01\n\
              [[waiver]]\ncase = 'e100l/s4-g50-shift'\nreason = 'planned'\n\
-             [[waiver]]\nrule = 'E100L-G50-02'\nreason = 'planned'\n",
+             [[waiver]]\nrule = 'E100L-G50-02'\nfield = 'kind'\nreason = 'planned'\n",
         )?;
         assert!(declaration.has_control(Control::E100l));
         assert!(declaration.has_feature(Feature::AnyAngle) && !declaration.has_feature(Feature::Arc));
@@ -228,6 +246,7 @@ mod tests {
             ("name = 'a'\n[tolerance]\nlength = 'small'", "small"),
             ("name = 'a'\n[[waiver]]\ncase = 'x'", "reason"),
             ("name = 'a'\n[[waiver]]\ncase = 'x'\nreason = ' '", "reason"),
+            ("name = 'a'\n[[waiver]]\nrule = 'E100L-G50-02'\nfield = 'y'\nreason = 'x'", "`kind`"),
             ("name = 'a'\n[[waiver]]\nreason = 'x'", "either a case or a rule"),
             ("name = 'a'\n[[waiver]]\nrule = 'E100L-XYZ-99'\nreason = 'x'", "E100L-XYZ-99"),
         ] {

@@ -19,6 +19,8 @@ pub enum Flag {
     Reading,
     /// The case is an example of a rule's text.
     RuleExample,
+    /// The program was generated, and the expected trace is that of the reference semantics.
+    Generated,
 }
 
 impl Flag {
@@ -32,6 +34,7 @@ impl Flag {
             Self::Completed => "completed",
             Self::Reading => "reading",
             Self::RuleExample => "rule-example",
+            Self::Generated => "generated",
         }
     }
 }
@@ -49,6 +52,7 @@ mod tests {
             Flag::Completed,
             Flag::Reading,
             Flag::RuleExample,
+            Flag::Generated,
         ] {
             assert_eq!(serde_json::to_string(&flag)?, format!("\"{}\"", flag.as_str()));
         }

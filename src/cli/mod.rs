@@ -11,6 +11,7 @@ mod excerpt;
 mod explain;
 mod failure;
 mod format;
+mod fuzz;
 mod input;
 mod lockstep;
 mod machine;
@@ -63,6 +64,7 @@ enum Command {
     Rules(rules::Arguments),
     Conform(conform::Arguments),
     Answer(answer::Arguments),
+    Fuzz(fuzz::Arguments),
     Completions(completions::Arguments),
 }
 
@@ -79,6 +81,7 @@ impl Cli {
             Command::Rules(arguments) => rules::carry_out(&arguments),
             Command::Conform(arguments) => conform::carry_out(&arguments, self.color),
             Command::Answer(arguments) => answer::carry_out(&arguments),
+            Command::Fuzz(arguments) => fuzz::carry_out(&arguments),
             Command::Completions(arguments) => completions::carry_out(&arguments),
         }
     }
