@@ -8,7 +8,7 @@ use crate::Verdict;
 
 /// On a program that the generator grows from the bytes, and on its set-up, the oracle and the engine give the same
 /// events with the same coordinates, rules, readings and places, and the same alarm.
-pub(crate) fn structured(input: &[u8]) -> Verdict {
+pub(crate) fn generated_programs_agree(input: &[u8]) -> Verdict {
     match Case::arbitrary(&mut Unstructured::new(input)) {
         Ok(case) => agree(&case),
         Err(_) => Ok(()),
@@ -16,7 +16,7 @@ pub(crate) fn structured(input: &[u8]) -> Verdict {
 }
 
 /// The same on any bytes: the first ones choose the set-up, the rest is the program.
-pub(crate) fn raw(input: &[u8]) -> Verdict {
+pub(crate) fn any_bytes_agree(input: &[u8]) -> Verdict {
     agree(&Case::from_raw(input))
 }
 

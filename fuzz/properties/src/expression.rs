@@ -17,7 +17,7 @@ const LONGEST: usize = 150;
 ///
 /// Rules: E100L-AEXP-01, E100L-AEXP-05, E100L-AEXP-06, E100L-AEXP-07, E100L-TYPE-01, E100L-TYPE-08, E100L-TYPE-10,
 /// E100L-TYPE-12, E100L-FUNC-01, E100L-FUNC-02, E100L-MATH-05, E100L-MATH-18, E100L-CVAR-04
-pub(crate) fn holds(input: &[u8]) -> Verdict {
+pub(crate) fn expressions_agree(input: &[u8]) -> Verdict {
     raw(input)?;
     let mut bytes = Unstructured::new(input);
     let Ok(formulas) = Formulas::arbitrary(&mut bytes) else { return Ok(()) };

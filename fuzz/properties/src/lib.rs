@@ -35,16 +35,16 @@ pub struct Property {
 
 /// Every property.
 pub const PROPERTIES: &[Property] = &[
-    Property { name: "structured", holds: differential::structured },
-    Property { name: "raw", holds: differential::raw },
-    Property { name: "parse", holds: parse::holds },
-    Property { name: "round_trip", holds: round_trip::holds },
-    Property { name: "setup", holds: setup::holds },
-    Property { name: "trace", holds: trace::holds },
-    Property { name: "expression", holds: expression::holds },
-    Property { name: "termination", holds: termination::holds },
-    Property { name: "perturbation", holds: perturbation::holds },
-    Property { name: "metamorphic", holds: metamorphic::holds },
+    Property { name: "structured", holds: differential::generated_programs_agree },
+    Property { name: "raw", holds: differential::any_bytes_agree },
+    Property { name: "parse", holds: parse::texts_are_read_in_order },
+    Property { name: "round_trip", holds: round_trip::spelling_does_not_matter },
+    Property { name: "setup", holds: setup::setup_files_read_back },
+    Property { name: "trace", holds: trace::traces_read_back },
+    Property { name: "expression", holds: expression::expressions_agree },
+    Property { name: "termination", holds: termination::programs_end },
+    Property { name: "perturbation", holds: perturbation::a_small_change_moves_little },
+    Property { name: "metamorphic", holds: metamorphic::rewritten_programs_do_the_same },
 ];
 
 /// The property of this name.

@@ -23,7 +23,7 @@ use crate::{Verdict, require};
 ///
 /// Rules: E100L-FMT-01, E100L-FMT-04, E100L-FMT-05, E100L-AEXP-12, E100L-CMT-01, E100L-DEL-01, E100L-NAME-01,
 /// E100L-SEQ-01, E100L-SEQ-03, E100L-TAPE-01, E100L-TAPE-04
-pub(crate) fn holds(input: &[u8]) -> Verdict {
+pub(crate) fn texts_are_read_in_order(input: &[u8]) -> Verdict {
     let case = Case::from_raw(input);
     blocks(&case).and_then(|()| faults(&case)).map_err(|message| format!("{message}\n{}", show(&case)))
 }
@@ -115,4 +115,20 @@ fn faults(case: &Case) -> Verdict {
         require(inside && ordered, || format!("{fault:?} in a text of {length} bytes"))?;
     }
     Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::in_block;
+    use turnspec_oracle::vocabulary::Place;
+
+    #[test]
+    fn spans_out_of_order_or_outside_are_noticed() {
+        let place = Place { start: 10, end: 20, ..Place::default() };
+        let verdict = |spans: &[(u32, u32)]| in_block(spans.iter().map(|(start, end)| *start..*end), place);
+        assert_eq!(verdict(&[(10, 12), (12, 20)]), Ok(()));
+        for wrong in [[(9, 12), (12, 20)], [(10, 13), (12, 20)], [(10, 12), (12, 21)], [(10, 10), (12, 20)]] {
+            assert!(verdict(&wrong).is_err(), "{wrong:?}");
+        }
+    }
 }

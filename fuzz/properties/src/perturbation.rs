@@ -52,17 +52,18 @@ const COMPUTED: &[RuleId] = &[DTAP_03, ANG_01, ANG_03, ANG_04, ANG_05, ANG_06, C
 ///
 /// Rules: E100L-ABS-01, E100L-ABS-02, E100L-COORD-03, E100L-G50-02, E100L-LIM-01, E100L-LIM-02, E100L-CIRC-11,
 /// E100L-CIRC-16, E100L-CIRC-17, E100L-CHAM-07, E100L-TRQ-04, E100L-TRQ-05, E100L-TRQ-06, E100L-INCH-02
-pub(crate) fn holds(input: &[u8]) -> Verdict {
+pub(crate) fn a_small_change_moves_little(input: &[u8]) -> Verdict {
     let Some(pair) = Nudged::from_bytes(input) else { return Ok(()) };
-    if reads_positions(&pair.before.program) {
-        return Ok(());
-    }
+    if reads_positions(&pair.before.program) { Ok(()) } else { moves_little(&pair) }
+}
+
+fn moves_little(pair: &Nudged) -> Verdict {
     let (before, after) = (trace(&pair.before), trace(&pair.after));
     let same = same_shape(&before, &after);
     let fail = |message: String| format!("{message}\n{}\n{}", show(&pair.before), show(&pair.after));
     let count = same.map_err(fail)?;
     let (before, after) = (before.get(..count).unwrap_or_default(), after.get(..count).unwrap_or_default());
-    distance(before, after, &pair).and_then(|()| radii(before, after)).map_err(fail)
+    distance(before, after, pair).and_then(|()| radii(before, after)).map_err(fail)
 }
 
 /// Whether an expression reads the present position, or the zero shift that depends on it.
@@ -166,10 +167,40 @@ fn radius(event: &Event) -> Option<f64> {
 
 #[cfg(test)]
 mod tests {
-    use turnspec_generator::Nudged;
+    use super::moves_little;
+    use turnspec_generator::{Case, Nudged};
+    use turnspec_oracle::vocabulary::Setup;
 
     use crate::bytes_of_seed;
     use crate::shape::{is_alarm, trace};
+
+    fn verdict(before: &str, after: &str) -> Result<(), String> {
+        let case =
+            |text: &str| Case { setup: Setup::default(), program: format!("{text}\nM02\n").into_bytes() };
+        moves_little(&Nudged { before: case(before), after: case(after), axis: "X" })
+    }
+
+    #[test]
+    fn a_small_change_is_one_increment() {
+        assert_eq!(verdict("G00 X1\nG91 X1", "G00 X1.001\nG91 X1"), Ok(()));
+        assert!(verdict("G00 X1", "G00 X1.002").is_err_and(|message| message.contains("moves by")));
+        assert!(verdict("G00 X1 Z1", "G00 X1 Z1.001").is_err_and(|message| message.contains("moves by")));
+        assert!(
+            verdict("G00 X1\nX2", "G00 X1.001\nX1.999").is_err_and(|message| message.contains("to and fro"))
+        );
+        assert!(
+            verdict("G03 F1 X20 Z0 L20", "G03 F1 X20 Z0 L20.001").is_err_and(|text| text.contains("radius"))
+        );
+    }
+
+    #[test]
+    fn another_shape_is_noticed_and_a_threshold_is_none() {
+        assert!(verdict("G00 X1", "G01 X1 F1").is_err());
+        assert!(verdict("G00 X1", "G00 X1\nM08").is_err());
+        assert!(verdict("G00 X1\nM08", "G00 X1\nM21").is_err());
+        assert_eq!(verdict("G00 X99999.998\nG91 X0.001", "G00 X99999.999\nG91 X0.001"), Ok(()));
+        assert_eq!(verdict("G02 F1 X20 Z0 L5", "G02 F1 X20.001 Z0 L5"), Ok(()));
+    }
 
     #[test]
     fn most_pairs_run_to_their_end() {

@@ -24,7 +24,7 @@ const LONGEST: usize = 158;
 ///
 /// Rules: E100L-FMT-01, E100L-FMT-02, E100L-FMT-03, E100L-FMT-07, E100L-CMT-01, E100L-AEXP-04, E100L-AEXP-05,
 /// E100L-AEXP-06, E100L-AEXP-07, E100L-AEXP-12, E100L-TAPE-01, E100L-TAPE-02, E100L-DEC-02, E100L-CVAR-01
-pub(crate) fn holds(input: &[u8]) -> Verdict {
+pub(crate) fn spelling_does_not_matter(input: &[u8]) -> Verdict {
     trees(&Case::from_raw(input))?;
     let Ok(pair) = Respelled::arbitrary(&mut Unstructured::new(input)) else { return Ok(()) };
     trees(&pair.one)?;
@@ -91,4 +91,33 @@ fn kinds(body: &Body) -> Body {
         }
     }
     body
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{reads_back, spellings};
+    use turnspec_generator::{Case, Respelled};
+    use turnspec_oracle::syntax::Body;
+    use turnspec_oracle::vocabulary::{Label, Setup};
+
+    fn verdict(one: &str, other: &str, reordered: bool) -> Result<(), String> {
+        let case = |text: &str| Case { setup: Setup::default(), program: text.as_bytes().to_vec() };
+        spellings(&Respelled { one: case(one), other: case(other), reordered })
+    }
+
+    #[test]
+    fn other_programs_are_no_other_spellings() {
+        assert_eq!(verdict("G00 X5\nM02", "G0X+5.0 (A)\r\nM2", false), Ok(()));
+        assert!(verdict("G00 X5\nM02", "G00 X6\nM02", false).is_err());
+        assert!(verdict("M08\nM02", "M08\nM09\nM02", false).is_err());
+        assert_eq!(verdict("M08\nX999999 S70000", "M08\nS70000 X999999", true), Ok(()));
+        assert!(verdict("M08\nX999999 S70000", "M08\nS70000 X999999", false).is_err());
+        assert!(verdict("M08\nJ1", "M08\nM02", true).is_err());
+    }
+
+    #[test]
+    fn a_tree_that_is_printed_as_another_is_noticed() {
+        let wrong = Body::ProgramName(Label::new("X5"));
+        assert!(reads_back(Label::default(), &wrong, &Setup::default()).is_err());
+    }
 }

@@ -11,8 +11,8 @@ use crate::{Verdict, require};
 /// of the message. The text is the input itself, and a set-up of the generator (valid by construction, so that it must
 /// be taken) before and after a few characters of it are changed.
 ///
-/// Rules: E100L-DEC-01
-pub(crate) fn holds(input: &[u8]) -> Verdict {
+/// Rules: none (the form of the set-up file)
+pub(crate) fn setup_files_read_back(input: &[u8]) -> Verdict {
     any_text(&String::from_utf8_lossy(input))?;
     let setup = Case::from_raw(input).setup;
     let text = write(&setup)?;
@@ -70,4 +70,32 @@ fn names_a_field(message: &str) -> bool {
         here = here.and_then(|value| value.get(name));
     }
     here.is_some()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{any_text, names_a_field, taken};
+    use turnspec_oracle::vocabulary::{Length, Setup};
+
+    #[test]
+    fn fields_are_known_by_their_path() {
+        assert!(names_a_field("options.offset_sets is 33") && names_a_field("limits.x: out of range"));
+        assert!(
+            !names_a_field("colour is red") && !names_a_field("options.colour: red") && !names_a_field("")
+        );
+    }
+
+    #[test]
+    fn refusals_of_both_kinds_are_met() {
+        assert_eq!(any_text("[start]\nx = 'far'"), Ok(()));
+        assert_eq!(any_text("[start]\nx = 0.0001"), Ok(()));
+        assert!(Setup::from_toml("[start]\nx = 0.0001").is_err_and(|error| error.span.is_none()));
+    }
+
+    #[test]
+    fn an_impossible_setup_is_noticed() {
+        let mut setup = Setup::default();
+        setup.start.x = Length(1);
+        assert!(taken(&setup).is_err());
+    }
 }

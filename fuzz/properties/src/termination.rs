@@ -34,7 +34,7 @@ const ASSIGNMENT: usize = 4;
 /// program of the generator and on the bytes as they are.
 ///
 /// Rules: E100L-PROG-02, E100L-MCODE-04, E100L-FMT-04, E100L-FMT-05, E100L-FMT-06, E100L-GCODE-04
-pub(crate) fn holds(input: &[u8]) -> Verdict {
+pub(crate) fn programs_end(input: &[u8]) -> Verdict {
     ends(&Case::from_raw(input))?;
     match Case::arbitrary(&mut Unstructured::new(input)) {
         Ok(case) => ends(&case),
@@ -111,4 +111,56 @@ fn few_a_block(events: &[Event]) -> Verdict {
         require(count <= most, || format!("the block at {start} has {count} events, more than {most}"))?;
     }
     Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{BLOCK, bounded};
+    use turnspec_generator::Case;
+    use turnspec_oracle::vocabulary::{Ending, Event, Setup};
+
+    use crate::shape::trace;
+
+    fn case() -> Case {
+        Case { setup: Setup::default(), program: b"G00 X1\nM08\nM02\n".to_vec() }
+    }
+
+    /// What is wrong with a run that hands out these events in one step, and the ending in every step.
+    fn verdict(change: impl Fn(&mut Vec<Event>)) -> Result<(), String> {
+        let mut events = trace(&case());
+        change(&mut events);
+        bounded(&case(), |out| {
+            out.append(&mut events);
+            Some(Ending::End)
+        })
+    }
+
+    #[test]
+    fn runs_that_are_wrong_are_noticed() {
+        assert_eq!(verdict(|_| ()), Ok(()));
+        assert!(verdict(|events| events.swap(0, 1)).is_err());
+        assert!(verdict(|events| events.truncate(2)).is_err());
+        assert!(verdict(|events| events[1].n = 7).is_err());
+        assert!(verdict(|events| events[1].block.start = 1_000).is_err());
+        assert!(bounded(&case(), |_| None).is_err());
+        let many = |events: &mut Vec<Event>| {
+            let (first, last) = (events[0], events[events.len() - 1]);
+            *events = vec![first; BLOCK + 5];
+            events.push(last);
+            events.iter_mut().zip(1..).for_each(|(event, n)| event.n = n);
+        };
+        assert!(verdict(many).is_err_and(|message| message.contains("more than")));
+    }
+
+    #[test]
+    fn a_run_that_goes_on_after_its_end_is_noticed() {
+        let events = trace(&case());
+        assert!(
+            bounded(&case(), |out| {
+                out.extend(&events);
+                Some(Ending::End)
+            })
+            .is_err()
+        );
+    }
 }

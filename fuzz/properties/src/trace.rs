@@ -14,8 +14,8 @@ use crate::{Verdict, require};
 /// reader of events: what it takes can be written, reads back as the same event, and has a compact notation that
 /// matches it.
 ///
-/// Rules: E100L-CVAR-04, E100L-TYPE-13
-pub(crate) fn holds(input: &[u8]) -> Verdict {
+/// Rules: none (the form of the trace)
+pub(crate) fn traces_read_back(input: &[u8]) -> Verdict {
     input.split(|byte| *byte == b'\n').try_for_each(any_line)?;
     let Ok(case) = Case::arbitrary(&mut Unstructured::new(input)) else { return Ok(()) };
     let trace = trace(&case);
@@ -92,4 +92,31 @@ fn tells_apart(one: &Event, other: &Event) -> Verdict {
     require(alike || !satisfies(one, other) || !satisfies(other, one), || {
         format!("one notation for {one:?} and {other:?}")
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{same, tells_apart};
+    use turnspec_generator::Case;
+    use turnspec_oracle::vocabulary::{Action, Event, Setup, Value};
+
+    use crate::shape::trace;
+
+    fn one_event(program: &str) -> Event {
+        trace(&Case { setup: Setup::default(), program: program.as_bytes().to_vec() })[0]
+    }
+
+    #[test]
+    fn zeros_of_different_sign_are_different() {
+        let plus = one_event("V1=0\nM02");
+        let Action::Variable { name, .. } = plus.action else { unreachable!("{plus:?}") };
+        let minus = Event { action: Action::Variable { name, value: Value::Real(-0.0) }, ..plus };
+        assert!(same(&plus, &plus) && !same(&plus, &minus));
+    }
+
+    #[test]
+    fn different_events_have_different_notations() {
+        let (one, other) = (one_event("G00 X1\nM02"), one_event("G00 X2\nM02"));
+        assert_eq!(tells_apart(&one, &other), Ok(()));
+    }
 }
