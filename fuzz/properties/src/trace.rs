@@ -9,10 +9,10 @@ use crate::shape::trace;
 use crate::{Verdict, require};
 
 /// A trace that is written as JSON Lines and read back is the same, to the last bit of a real value; a line holds one
-/// event. The compact notation of an event matches it, alone and as part of the whole trace; of two neighbours that
-/// match each other's notation the actions, lines, rules and readings are equal. Any bytes can be offered to the
-/// reader of events: what it takes can be written, reads back as the same event, and has a compact notation that
-/// matches it.
+/// event. The compact notation of an event matches it, alone and as part of the whole trace, and holds every number that
+/// its JSON holds; of two neighbours that match each other's notation the actions, lines, rules and readings are equal.
+/// Any bytes can be offered to the reader of events: what it takes can be written, reads back as the same event, and has
+/// a compact notation that matches it.
 ///
 /// Rules: none (the form of the trace)
 pub(crate) fn traces_read_back(input: &[u8]) -> Verdict {
@@ -67,6 +67,7 @@ fn compact(trace: &[Event]) -> Verdict {
     notation::Expectation::parse(&whole.join("\n")).matches(trace)?;
     for event in trace {
         matches_itself(event)?;
+        is_complete(event, &notation::fields(event))?;
     }
     for pair in trace.windows(2) {
         if let [one, other] = pair {
@@ -78,6 +79,34 @@ fn compact(trace: &[Event]) -> Verdict {
 
 fn matches_itself(event: &Event) -> Verdict {
     notation::Expectation::parse(&notation::render(event)).matches(std::slice::from_ref(event))
+}
+
+/// Every number of the event's JSON, its place, ordinal, rules and readings aside, stands in these fields.
+fn is_complete(event: &Event, fields: &[(&str, String)]) -> Verdict {
+    let unitless =
+        |text: &str| text.trim_end_matches("mm/rev").trim_end_matches("mm/min").parse::<f64>().ok();
+    let mut shown: Vec<f64> = fields.iter().filter_map(|(_, value)| unitless(value)).collect();
+    let json = serde_json::to_value(event).map_err(|error| error.to_string())?;
+    let mut open: Vec<&serde_json::Value> = Vec::new();
+    let apart = ["n", "block", "rules", "readings"];
+    let parts = json.as_object().into_iter().flatten().filter(|(key, _)| !apart.contains(&key.as_str()));
+    open.extend(parts.map(|(_, value)| value));
+    while let Some(value) = open.pop() {
+        let number = match value {
+            serde_json::Value::Object(parts) => {
+                open.extend(parts.values());
+                None
+            }
+            serde_json::Value::Number(number) => number.as_f64(),
+            serde_json::Value::String(text) => text.parse().ok(),
+            _ => None,
+        };
+        let Some(number) = number else { continue };
+        let place = shown.iter().position(|shown| shown.to_bits() == f64::to_bits(number));
+        let place = place.ok_or_else(|| format!("{number} is not in the notation of {event:?}"))?;
+        shown.swap_remove(place);
+    }
+    Ok(())
 }
 
 /// Events that satisfy each other's lines say the same.
@@ -96,9 +125,9 @@ fn tells_apart(one: &Event, other: &Event) -> Verdict {
 
 #[cfg(test)]
 mod tests {
-    use super::{same, tells_apart};
+    use super::{is_complete, same, tells_apart};
     use turnspec_generator::Case;
-    use turnspec_oracle::vocabulary::{Action, Event, Setup, Value};
+    use turnspec_oracle::vocabulary::{Action, Event, Setup, Value, notation};
 
     use crate::shape::trace;
 
@@ -118,5 +147,14 @@ mod tests {
     fn different_events_have_different_notations() {
         let (one, other) = (one_event("G00 X1\nM02"), one_event("G00 X2\nM02"));
         assert_eq!(tells_apart(&one, &other), Ok(()));
+    }
+
+    #[test]
+    fn a_field_that_is_left_out_is_noticed() {
+        let event = one_event("G00 X1 Z-2.5\nM02");
+        let mut fields = notation::fields(&event);
+        assert_eq!(is_complete(&event, &fields), Ok(()));
+        fields.retain(|(key, _)| *key != "mz");
+        assert!(is_complete(&event, &fields).is_err());
     }
 }
