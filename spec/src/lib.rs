@@ -25,7 +25,7 @@ mod quantity;
 mod real;
 mod run;
 mod state;
-mod syntax;
+pub mod syntax;
 mod task;
 pub mod vocabulary;
 

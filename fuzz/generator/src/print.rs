@@ -63,6 +63,12 @@ pub fn program(program: &Program, style: Style, choices: &mut Choices<'_, '_>) -
     text
 }
 
+/// The plainest text of a program in seven-bit characters.
+#[must_use]
+pub fn plainest(lines: &Program) -> Vec<u8> {
+    program(lines, Style::PLAIN, &mut Choices::new(&mut arbitrary::Unstructured::new(&[])))
+}
+
 /// The plainest text of a block, without end of block.
 #[must_use]
 pub fn plain(block: &Block) -> String {
@@ -70,7 +76,8 @@ pub fn plain(block: &Block) -> String {
     Printer { style: Style::PLAIN, choices: &mut Choices::new(&mut bytes) }.block(block)
 }
 
-fn block_text(block: &Block, style: Style, choices: &mut Choices<'_, '_>) -> String {
+/// The text of a block without end of block; the plainest one when it would be too long otherwise.
+pub(crate) fn block_text(block: &Block, style: Style, choices: &mut Choices<'_, '_>) -> String {
     let text = Printer { style, choices }.block(block);
     let length = text.chars().filter(|character| !matches!(character, '\r' | '\n')).count();
     if length <= LONGEST { text } else { plain(block) }
