@@ -1,4 +1,6 @@
 //! The fast interpreter of CNC lathe programs, cross-checked against the reference semantics.
 
+#[cfg(feature = "cli")]
+pub mod audit;
 pub mod differential;
 pub mod engine;

@@ -1,5 +1,6 @@
 //! The subcommands, and what each of them can come to.
 
+mod audit;
 mod book;
 mod check;
 mod color;
@@ -59,6 +60,7 @@ enum Command {
     Check(check::Arguments),
     Explain(explain::Arguments),
     Rules(rules::Arguments),
+    Audit(audit::Arguments),
     Completions(completions::Arguments),
 }
 
@@ -73,6 +75,7 @@ impl Cli {
             Command::Check(arguments) => check::carry_out(&arguments, self.color),
             Command::Explain(arguments) => explain::carry_out(&arguments, self.color),
             Command::Rules(arguments) => rules::carry_out(&arguments),
+            Command::Audit(arguments) => audit::carry_out(&arguments),
             Command::Completions(arguments) => completions::carry_out(&arguments),
         }
     }
