@@ -191,7 +191,7 @@ fn archive(root: &Path) -> Result<Vec<String>, Fault> {
             .iter()
             .any(|name| file.strip_prefix(name).is_some_and(|rest| rest.is_empty() || rest.starts_with('/')))
     };
-    found.retain(kept);
+    found.retain(|file| kept(file) && root.join(file).is_file());
     Ok(found)
 }
 

@@ -5,6 +5,7 @@ use maud::{Markup, html};
 use turnspec_oracle::book::RuleText;
 use turnspec_oracle::vocabulary::{AlarmName, Reading};
 
+use super::markdown;
 use crate::audit::gather::Gathered;
 
 /// The section.
@@ -18,10 +19,10 @@ pub fn section(gathered: &Gathered) -> Markup {
             h2 { "Limits and readings" }
             h3 { "Readings" }
             p { "Choices that the manual leaves open and that a set-up can switch; every event that depends on one \
-                 names it. The rule's text gives the reason for the default, which stands first." }
+                 names it. The default stands first." }
             (readings(gathered))
             h3 { "Interpretations" }
-            p { "Here the manual is silent, damaged or contradicts itself; the rule's text says where, what was \
+            p { "Here the manual is silent, damaged or contradicts itself; the rule’s text says where, what was \
                  taken, and why." }
             (list(&based("interpretation")))
             h3 { "Unspecified" }
@@ -51,7 +52,7 @@ fn readings(gathered: &Gathered) -> Markup {
     html! {
         div.scroll {
             table {
-                thead { tr { th { "Reading" } th { "Values" } th { "Rules that speak of it" } } }
+                thead { tr { th { "Reading" } th { "Values" } th { "Rule, and the reason in its text" } } }
                 tbody {
                     @for (name, values) in &names {
                         tr {
@@ -59,7 +60,10 @@ fn readings(gathered: &Gathered) -> Markup {
                             td { @for (place, value) in values.iter().enumerate() { @if place > 0 { ", " } code { (value) } } }
                             td {
                                 @for (rule, _) in gathered.rules.iter().filter(|(rule, _)| speaks_of(rule, name)) {
-                                    a href={ "#" (rule.id) } { (rule.id) } " " (rule.title) br;
+                                    details.reason {
+                                        summary { (rule.id) " " (rule.title) }
+                                        (markdown::render(&rule.statement))
+                                    }
                                 }
                             }
                         }

@@ -29,33 +29,21 @@ pub fn render(text: &str) -> Markup {
     PreEscaped(page)
 }
 
-/// A text with its rule ids as links.
+/// A text with its rule ids as links; the texts leave the name of the control out of most of them.
 fn link_rules(text: &str, events: &mut Vec<Event<'_>>) {
-    let mut rest = text;
-    while let Some(word) = next_id(rest) {
-        let (before, after) = rest.split_at(word.0);
-        let (id, tail) = after.split_at(word.1);
-        events.push(Event::Text(CowStr::from(before.to_owned())));
-        events.push(Event::InlineHtml(CowStr::from(format!("<a href=\"#{id}\">{id}</a>"))));
-        rest = tail;
-    }
-    events.push(Event::Text(CowStr::from(rest.to_owned())));
-}
-
-/// Place and length of the first rule id.
-fn next_id(text: &str) -> Option<(usize, usize)> {
-    let mut from = 0;
-    while let Some(place) = text.get(from..)?.find("E100L-") {
-        let start = from + place;
-        let word = text.get(start..)?;
-        let length = word.find(|letter: char| !letter.is_ascii_alphanumeric() && letter != '-');
-        let word = word.split_at(length.unwrap_or(word.len())).0.trim_end_matches('-');
-        if RuleId::parse(word).is_some() {
-            return Some((start, word.len()));
+    let mut plain = String::new();
+    for word in text.split_inclusive(|letter: char| !letter.is_ascii_alphanumeric() && letter != '-') {
+        let id = word.trim_end_matches(|letter: char| !letter.is_ascii_alphanumeric());
+        match RuleId::parse(id).or_else(|| RuleId::parse(&format!("E100L-{id}"))) {
+            Some(rule) => {
+                events.push(Event::Text(CowStr::from(std::mem::take(&mut plain))));
+                events.push(Event::InlineHtml(CowStr::from(format!("<a href=\"#{rule}\">{id}</a>"))));
+                plain.push_str(word.split_at(id.len()).1);
+            }
+            None => plain.push_str(word),
         }
-        from = start + 1;
     }
-    None
+    events.push(Event::Text(CowStr::from(plain)));
 }
 
 #[cfg(test)]
@@ -72,7 +60,8 @@ mod tests {
             html("See E100L-G50-02, `E100L-G50-02` and [there](x.md)."),
             "<p>See <a href=\"#E100L-G50-02\">E100L-G50-02</a>, <code>E100L-G50-02</code> and there.</p>\n"
         );
-        assert_eq!(html("E100L-NONE-77 E100L-"), "<p>E100L-NONE-77 E100L-</p>\n");
+        assert_eq!(html("(G50-02)"), "<p>(<a href=\"#E100L-G50-02\">G50-02</a>)</p>\n");
+        assert_eq!(html("E100L-NONE-77 E100L-, \u{2212}1."), "<p>E100L-NONE-77 E100L-, \u{2212}1.</p>\n");
     }
 
     #[test]
