@@ -1,9 +1,13 @@
 //! What holds, what does not, and what nobody measured.
 
+use std::collections::BTreeMap;
+
 use schemars::JsonSchema;
 use serde::Serialize;
 use turnspec_oracle::book::RuleText;
+use turnspec_oracle::vocabulary::RuleId;
 
+use super::citations::Place;
 use super::coverage::MEASURED;
 use super::files::SOURCES;
 use super::gather::Gathered;
@@ -42,7 +46,9 @@ pub enum Verdict {
 #[must_use]
 pub fn findings(tree: &Tree, gathered: &Gathered) -> Vec<Finding> {
     let mut findings = vec![state(&tree.revision), built(), examples(gathered), cases(gathered)];
-    findings.extend([functions(gathered), rules_with_examples(gathered), exercised(gathered)]);
+    findings.push(citations(gathered, "citations in the oracle", &gathered.oracle, Verdict::Fails));
+    findings.push(citations(gathered, "citations in the engine", &gathered.engine, Verdict::Measured));
+    findings.extend([rules_with_examples(gathered), exercised(gathered)]);
     findings.extend(coverage(tree, gathered));
     findings.extend(mutants(tree, gathered));
     findings.push(planted(tree, gathered));
@@ -100,27 +106,31 @@ fn runs(subject: &'static str, outcomes: Vec<(String, &Outcome)>) -> Finding {
     Finding { verdict: holds_if(concerns.is_empty() && !outcomes.is_empty()), subject, text, concerns }
 }
 
-/// How precisely the oracle cites the core rules.
-fn functions(gathered: &Gathered) -> Finding {
+/// How precisely an implementation cites the core rules: the oracle must, the engine may.
+fn citations(
+    gathered: &Gathered,
+    subject: &'static str,
+    cited: &BTreeMap<RuleId, Vec<Place>>,
+    nowhere_is: Verdict,
+) -> Finding {
     let (mut functions, mut tables, mut heads, mut nowhere) = (0, 0, Vec::new(), Vec::new());
     for (rule, _) in gathered.rules.iter().filter(|(rule, _)| rule.level == "core") {
-        match gathered.oracle.get(&rule.id).and_then(|places| places.first()) {
+        match cited.get(&rule.id).and_then(|places| places.first()) {
             Some(place) if place.function => functions += 1,
             Some(place) if !place.item.is_empty() => tables += 1,
-            Some(_) => heads.push(rule.id.to_string()),
-            None => nowhere.push(rule.id.to_string()),
+            Some(_) => heads.push(format!("{}, in the head of a file", rule.id)),
+            None => nowhere.push(format!("{}, nowhere", rule.id)),
         }
     }
     let text = format!(
-        "of {} core rules, the oracle cites {functions} in a function, {tables} in a table or type, {} only in the head \
-         of a file, {} nowhere",
+        "of {} core rules, {functions} are cited by a function, {tables} by a table or type, {} only in the head of a \
+         file, {} nowhere",
         functions + tables + heads.len() + nowhere.len(),
         heads.len(),
         nowhere.len(),
     );
-    let verdict = holds_if(nowhere.is_empty());
-    let concerns = if nowhere.is_empty() { heads } else { nowhere };
-    Finding { verdict, subject: "functions", text, concerns }
+    let verdict = if nowhere.is_empty() { Verdict::Holds } else { nowhere_is };
+    Finding { verdict, subject, text, concerns: nowhere.into_iter().chain(heads).collect() }
 }
 
 fn rules_with_examples(gathered: &Gathered) -> Finding {

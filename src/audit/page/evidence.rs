@@ -4,6 +4,7 @@
 use maud::{Markup, html};
 use turnspec_oracle::vocabulary::RuleId;
 
+use super::markdown;
 use crate::audit::Tree;
 use crate::audit::coverage::{Figures, MEASURED, Share};
 use crate::audit::evidence::State;
@@ -42,16 +43,20 @@ fn statements(gathered: &Gathered) -> Markup {
 }
 
 fn listed(statements: &[&Statement]) -> Markup {
+    let assuming = statements.iter().any(|each| !each.assumes.is_empty());
     html! {
         @if statements.is_empty() { p { "None." } } @else {
             div.scroll {
                 table.statements {
-                    thead { tr { th { "Statement" } th { "Assumptions" } th { "Rules" } th { "Place" } } }
+                    thead { tr { th { "Statement" } @if assuming { th { "Assumptions" } } th { "Rules" } th { "Place" } } }
                     tbody {
                         @for each in statements {
                             tr {
-                                td { (each.statement) }
-                                td { @for assumption in &each.assumes { p { (assumption) } } }
+                                td {
+                                    (markdown::render(&each.statement))
+                                    @for functions in &each.of { div.note { (markdown::render(&format!("Of {functions}"))) } }
+                                }
+                                @if assuming { td { @for assumption in &each.assumes { (markdown::render(assumption)) } } }
                                 td { (rule_links(&each.rules)) }
                                 td.place { b { (each.name) } br; (each.file) ":" (each.line) }
                             }
