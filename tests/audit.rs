@@ -296,7 +296,7 @@ fn evidence_of_another_state_is_said() {
         "{\"state\":{\"sources\":{\"spec/src\":\"00\"}},\"tool\":\"t\",\"complete\":true,\"mutants\":[]}";
     fs::write(folder.root().join("evidence/mutants.json"), none).unwrap();
     folder.audit();
-    assert_eq!(folder.json("matrix.json")["mutants"]["measured_on"], "past");
+    assert_eq!(folder.json("matrix.json")["mutants"]["freshness"]["measured_on"], "past");
     assert!(folder.read("index.html").contains("measured on another state of spec/src"));
 }
 

@@ -33,10 +33,20 @@ pub struct Matrix {
     pub findings: Vec<Finding>,
     /// Coverage of the sources by the tests; `null` when it was never measured.
     pub coverage: Option<CoverageRecord>,
-    /// On what the mutants were counted; `null` when they never were.
-    pub mutants: Option<Freshness>,
+    /// The run that the mutants were counted in; `null` when they never were.
+    pub mutants: Option<MutantsRecord>,
     /// The rules, in the order of the book.
     pub rules: Vec<Row>,
+}
+
+/// The run that the mutants were counted in.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct MutantsRecord {
+    /// On what it was made.
+    pub freshness: Freshness,
+    /// Whether it came to its end.
+    pub complete: bool,
 }
 
 /// Coverage of the sources by the tests.
@@ -148,7 +158,10 @@ impl Matrix {
                 oracle: coverage.of(oracle),
                 engine: coverage.of(engine),
             }),
-            mutants: gathered.mutants.as_ref().map(|judged| judged.run.state.freshness(tree)),
+            mutants: gathered.mutants.as_ref().map(|judged| MutantsRecord {
+                freshness: judged.run.state.freshness(tree),
+                complete: judged.run.complete,
+            }),
             rules: rows(gathered),
         }
     }

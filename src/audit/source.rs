@@ -74,7 +74,10 @@ pub fn items(text: &str) -> Vec<Item> {
         {
             done.push(top.item);
         }
-        if let Some(comment) = words.strip_prefix("//") {
+        if words.starts_with("//!") {
+            // The head of a file or module belongs to no item.
+            front = Front::default();
+        } else if let Some(comment) = words.strip_prefix("//") {
             front.start.get_or_insert(number);
             front.docs.extend(comment.strip_prefix('/').map(|text| text.trim().to_owned()));
         } else if words.starts_with("#[") {
@@ -266,6 +269,7 @@ mod tests {
         }
         assert_eq!(name_at(1), None);
         assert_eq!(name_at(6), None);
+        assert_eq!(around(&items("//! Head.\nfn f() {}\n"), 1), None);
     }
 
     #[test]

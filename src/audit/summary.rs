@@ -118,7 +118,7 @@ fn citations(
         match cited.get(&rule.id).and_then(|places| places.first()) {
             Some(place) if place.function => functions += 1,
             Some(place) if !place.item.is_empty() => tables += 1,
-            Some(_) => heads.push(format!("{}, in the head of a file", rule.id)),
+            Some(_) => heads.push(format!("{}, head of a file", rule.id)),
             None => nowhere.push(format!("{}, nowhere", rule.id)),
         }
     }

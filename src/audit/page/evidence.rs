@@ -174,7 +174,7 @@ fn planted(tree: &Tree, gathered: &Gathered) -> Markup {
                 (stated(&planted.state, tree))
                 div.scroll {
                     table.statements {
-                        thead { tr { th { "Bug" } th { "What is wrong" } th { "Rules" } th { "Programs" } th { "Bound" } } }
+                        thead { tr { th { "Bug" } th { "What is wrong" } th { "Rules" } th.n { "Programs" } th.n { "Bound" } } }
                         tbody {
                             @for bug in &planted.bugs {
                                 tr {

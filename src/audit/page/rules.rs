@@ -22,6 +22,10 @@ pub fn section(gathered: &Gathered, matrix: &Matrix) -> Markup {
                  rule. Mutants: killed of those that compile, in the functions of the oracle that cite the rule. \
                  A line opens to the text and the evidence; what is filtered out is not printed."
             }
+            @if let Some(mutants) = &matrix.mutants {
+                @if let Some(remark) = mutants.freshness.remark() { p.note { "The mutants: " (remark) "." } }
+                @if !mutants.complete { p.note { "The mutants: the run was not complete." } }
+            }
             (toolbar(gathered))
             div.head aria-hidden="true" {
                 span { "Rule" } span { "Title" } span { "Level" } span { "Basis" } span.n { "Ex." }

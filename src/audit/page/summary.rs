@@ -56,7 +56,9 @@ fn finding(finding: &Finding) -> Markup {
             th scope="row" { (finding.subject) }
             td {
                 (finding.text) "."
-                @if !finding.concerns.is_empty() {
+                @if finding.subject == "mutants" {
+                    " " a href="#mutants" { "The survivors" }
+                } @else if !finding.concerns.is_empty() {
                     details.concerns {
                         summary { "which (" (finding.concerns.len()) ")" }
                         ul { @for concern in &finding.concerns { li { (named(concern)) } } }
