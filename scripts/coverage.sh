@@ -35,8 +35,10 @@ measure -p turnspec --lib --test rules --test tables --test differential
 cargo "${toolchain[@]}" llvm-cov report "${branches[@]}" -p turnspec-oracle -p turnspec --json --output-path "$report"
 
 mkdir -p evidence
-RUSTC_VERSION=$(rustc "${toolchain[@]}" --version)
-cargo run --locked --quiet --example condense_evidence -- coverage "$report" \
-    --state "$before" --tool "$(cargo llvm-cov --version)" --tool "$RUSTC_VERSION" \
+tools=(--tool "$(cargo llvm-cov --version)" --tool "$(rustc "${toolchain[@]}" --version)")
+if [ -n "${LLVM_COV:-}" ]; then
+    tools+=(--tool "llvm-cov $("$LLVM_COV" --version | grep -o '[0-9][0-9.]*' | head -n 1)")
+fi
+cargo run --locked --quiet --example condense_evidence -- coverage "$report" --state "$before" "${tools[@]}" \
     >evidence/coverage.json.new
 mv evidence/coverage.json.new evidence/coverage.json
