@@ -110,7 +110,8 @@ fn figures(name: &str, figures: &Figures, sum: bool) -> Markup {
 fn cell(share: Option<Share>) -> Markup {
     html! {
         @if let Some(share) = share {
-            td.n { @if share.all > 0 { (share.percent()) } } td.n.dim { (share.reached) "/" (share.all) }
+            @if share.all > 0 { td.n { (share.percent()) } td.n.dim { (share.reached) "/" (share.all) } }
+            @else { td.n.dim { "–" } td {} }
         } @else { td.n { "not measured" } td {} }
     }
 }
