@@ -1,5 +1,5 @@
-//! The rule table for machines: rule, text, functions, examples, cases, properties, proofs, mutants. As JSON
-//! with a schema, and as CSV, a line a rule.
+//! The rule table for machines: rule, text, functions, examples, cases, properties, proofs, mutants; as JSON,
+//! with a schema.
 
 use schemars::generate::SchemaSettings;
 use schemars::{JsonSchema, SchemaGenerator};
@@ -165,18 +165,6 @@ impl Matrix {
             rules: rows(gathered),
         }
     }
-
-    /// The table as CSV: a head, then a line a rule. The parts of a cell are separated by `; `.
-    #[must_use]
-    pub fn csv(&self) -> String {
-        let mut csv = HEAD.join(",");
-        csv.push_str("\r\n");
-        for row in &self.rules {
-            csv.push_str(&row.cells().map(|cell| quote(&cell)).join(","));
-            csv.push_str("\r\n");
-        }
-        csv
-    }
 }
 
 fn rows(gathered: &Gathered) -> Vec<Row> {
@@ -254,80 +242,10 @@ fn planted(gathered: &Gathered, rule: &RuleText) -> Vec<PlantedRecord> {
     breaking.map(|bug| PlantedRecord { bug: bug.bug.clone(), found: bug.found() }).collect()
 }
 
-/// The columns of the CSV table.
-const HEAD: [&str; 20] = [
-    "id",
-    "title",
-    "area",
-    "level",
-    "basis",
-    "source",
-    "alarms",
-    "text",
-    "oracle",
-    "engine",
-    "examples",
-    "examples_passed",
-    "cases",
-    "cases_passed",
-    "exercised",
-    "properties",
-    "proofs",
-    "mutants_killed",
-    "mutants_survived",
-    "planted",
-];
-
-impl Row {
-    fn cells(&self) -> [String; HEAD.len()] {
-        let names =
-            |checks: &[Check]| checks.iter().map(|check| check.name.clone()).collect::<Vec<_>>().join("; ");
-        let counted = |count: fn(&MutantCounts) -> usize| {
-            self.mutants.as_ref().map_or(String::new(), |counts| count(counts).to_string())
-        };
-        [
-            self.id.clone(),
-            self.title.clone(),
-            self.area.clone(),
-            self.level.clone(),
-            self.basis.clone(),
-            self.source.clone(),
-            self.alarms.join("; "),
-            self.text.clone(),
-            places(&self.oracle),
-            places(&self.engine),
-            names(&self.examples),
-            passed(&self.examples).to_string(),
-            names(&self.cases),
-            passed(&self.cases).to_string(),
-            self.exercised.to_string(),
-            self.properties.join("; "),
-            self.proofs.join("; "),
-            counted(|counts| counts.caught + counts.timeout),
-            counted(|counts| counts.missed + counts.explained),
-            self.planted.iter().map(|planted| planted.bug.clone()).collect::<Vec<_>>().join("; "),
-        ]
-    }
-}
-
 /// How many checks hold in every respect.
 #[must_use]
 pub fn passed(checks: &[Check]) -> usize {
     checks.iter().filter(|check| check.oracle && check.engine && check.agree).count()
-}
-
-fn places(places: &[Place]) -> String {
-    let place = |place: &Place| format!("{}:{} {}", place.file, place.line, place.item).trim_end().to_owned();
-    places.iter().map(place).collect::<Vec<_>>().join("; ")
-}
-
-/// A cell of a CSV table (RFC 4180).
-fn quote(cell: &str) -> String {
-    if cell.contains([',', '"', '\n', '\r']) {
-        format!("\"{}\"", cell.replace('"', "\"\""))
-    } else {
-        cell.to_owned()
-    }
 }
 
 /// The JSON Schema of the matrix.
@@ -339,15 +257,4 @@ pub fn schema() -> Result<String, serde_json::Error> {
     let mut schema = generator.into_root_schema_for::<Matrix>();
     schema.insert("$id".to_owned(), format!("urn:turnspec:audit-matrix:{VERSION}").into());
     serde_json::to_string_pretty(&schema)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::quote;
-
-    #[test]
-    fn cells_are_quoted_where_they_must_be() {
-        assert_eq!(quote("a; b"), "a; b");
-        assert_eq!(quote("a,\"b\""), "\"a,\"\"b\"\"\"");
-    }
 }

@@ -8,6 +8,7 @@
 mod bundle;
 mod citations;
 pub mod coverage;
+mod csv;
 mod digest;
 pub mod evidence;
 mod fault;
@@ -58,7 +59,7 @@ fn files(tree: &Tree, gathered: &Gathered, matrix: &Matrix) -> Result<Files, Fau
     let schema = matrix::schema().map_err(|error| Fault::about("matrix.schema.json", error))?;
     Ok(Files::from([
         ("index.html", page::page(tree, gathered, matrix, &tools)),
-        ("matrix.csv", matrix.csv()),
+        ("matrix.csv", csv::table(matrix)),
         ("matrix.json", json("matrix.json", matrix)?),
         ("matrix.schema.json", schema + "\n"),
         ("sbom.cdx.json", json("sbom.cdx.json", &sbom::bill(&gathered.packages))?),
