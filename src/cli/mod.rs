@@ -1,6 +1,7 @@
 //! The subcommands, and what each of them can come to.
 
 mod answer;
+mod audit;
 mod book;
 mod check;
 mod color;
@@ -65,6 +66,7 @@ enum Command {
     Conform(conform::Arguments),
     Answer(answer::Arguments),
     Fuzz(fuzz::Arguments),
+    Audit(audit::Arguments),
     Completions(completions::Arguments),
 }
 
@@ -82,6 +84,7 @@ impl Cli {
             Command::Conform(arguments) => conform::carry_out(&arguments, self.color),
             Command::Answer(arguments) => answer::carry_out(&arguments),
             Command::Fuzz(arguments) => fuzz::carry_out(&arguments),
+            Command::Audit(arguments) => audit::carry_out(&arguments),
             Command::Completions(arguments) => completions::carry_out(&arguments),
         }
     }
