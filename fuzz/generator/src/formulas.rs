@@ -7,6 +7,7 @@ use crate::choices::Choices;
 use crate::environment::Environment;
 use crate::expression::{Expression, Variable};
 use crate::print::{self, Style};
+use crate::profile::Profile;
 use crate::program::{Block, Item};
 use crate::setup;
 use crate::state::State;
@@ -26,7 +27,7 @@ pub struct Formulas {
 impl<'a> Arbitrary<'a> for Formulas {
     fn arbitrary(bytes: &mut Unstructured<'a>) -> Result<Self> {
         let choices = &mut Choices::new(bytes);
-        let mut setup = setup::setup(choices);
+        let mut setup = setup::setup(choices, &Profile::FULL);
         setup.tape.code = TapeCode::Ascii;
         setup.variables = (1..=VALUES).map(|number| (format!("V{number}"), any_value(choices))).collect();
         let mut environment = State::new(setup.clone()).environment;
@@ -72,7 +73,7 @@ fn text(choices: &mut Choices<'_, '_>, environment: &Environment) -> String {
         let expression = Expression::grow(choices, environment, depth);
         let items = vec![Item::Assignment(Variable::Common(9), expression)];
         let block = Block { items, ..Block::default() };
-        let text = print::block_text(&block, Style::choose(choices, true), choices);
+        let text = print::block_text(&block, Style::choose(choices, true, Profile::FULL), choices);
         if text.len() <= print::LONGEST || choices.is_empty() {
             return text;
         }

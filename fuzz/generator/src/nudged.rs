@@ -8,6 +8,7 @@ use crate::case::Case;
 use crate::choices::Choices;
 use crate::number::Number;
 use crate::print;
+use crate::profile::Profile;
 use crate::program::{Item, Line, Program, Value};
 use crate::setup;
 use crate::state::{Axis, State};
@@ -30,9 +31,9 @@ impl Nudged {
     pub fn from_bytes(bytes: &[u8]) -> Option<Self> {
         let mut bytes = Unstructured::new(bytes);
         let choices = &mut Choices::new(&mut bytes);
-        let mut setup = setup::setup(choices);
+        let mut setup = setup::setup(choices, &Profile::FULL);
         setup.tape.code = TapeCode::Ascii;
-        let mut builder = Builder::new(choices, State::new(setup));
+        let mut builder = Builder::new(choices, State::new(setup), Profile::FULL);
         builder.build();
         let (mut program, state) = builder.finish();
         let case = |program: &Program| Case { setup: state.setup.clone(), program: print::plainest(program) };

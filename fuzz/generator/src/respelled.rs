@@ -7,6 +7,7 @@ use crate::builder::Builder;
 use crate::case::Case;
 use crate::choices::Choices;
 use crate::print::{self, Style};
+use crate::profile::Profile;
 use crate::program::{Block, Item, Line, Program};
 use crate::state::State;
 use crate::{setup, tape};
@@ -30,7 +31,7 @@ impl<'a> Arbitrary<'a> for Respelled {
         let setup = state.setup;
         let all_characters = setup.tape.code != TapeCode::Eia;
         let spell = |program: &Program, choices: &mut Choices<'_, '_>| {
-            let style = Style::choose(choices, all_characters);
+            let style = Style::choose(choices, all_characters, Profile::FULL);
             print::program(program, style, choices)
         };
         let one = spell(&program, choices);
@@ -78,8 +79,8 @@ impl<'a> Arbitrary<'a> for Remarked {
 
 /// A program of any kind and the state that it ends in.
 fn grown(choices: &mut Choices<'_, '_>) -> (Program, State) {
-    let setup = setup::setup(choices);
-    let mut builder = Builder::new(choices, State::new(setup));
+    let setup = setup::setup(choices, &Profile::FULL);
+    let mut builder = Builder::new(choices, State::new(setup), Profile::FULL);
     builder.build();
     builder.finish()
 }
