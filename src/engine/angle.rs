@@ -92,9 +92,9 @@ impl Formula for Taper {
     fn value<R: Real>(&self, precision: R::Precision) -> R {
         let (sine, cosine) = R::sine_cosine(self.angle, precision);
         let along = R::integer(self.along.into(), precision);
-        let (one, two) = (R::integer(1, precision), R::integer(2, precision));
+        let two = R::integer(if planted::is(Bug::TaperRadius) { 1 } else { 2 }, precision);
         let change = if self.to_x {
-            along.times(if planted::is(Bug::TaperRadius) { &one } else { &two }).times(&sine).over(&cosine)
+            along.times(&two).times(&sine).over(&cosine)
         } else {
             along.times(&cosine).over(&sine.times(&two))
         };

@@ -107,10 +107,8 @@ impl Interpreter<'_> {
     ) -> Result<Arc, Fault> {
         let i = words.get(Address::I).unwrap_or_default();
         let k = words.get(Address::K).unwrap_or_default();
-        let centre = Point {
-            x: start.x.saturating_add(if planted::is(Bug::CentreDiameter) { i } else { 2 * i }),
-            z: start.z.saturating_add(k),
-        };
+        let across = if planted::is(Bug::CentreDiameter) { i } else { 2 * i };
+        let centre = Point { x: start.x.saturating_add(across), z: start.z.saturating_add(k) };
         let both_given = words.has(Address::I) && words.has(Address::K);
         let mut cites = cite::CIRC_01
             .and(cite::CIRC_04)
@@ -135,8 +133,8 @@ impl Interpreter<'_> {
         cites = cites.and(cite::CIRC_11);
         let [start_square, end_square] = [start, end].map(|point| square_distance(point, centre));
         let (greater, less) = (start_square.max(end_square), start_square.min(end_square));
-        let tolerance = if planted::is(Bug::ToleranceOnDiameter) { 1 } else { 2 }
-            * i128::from(self.setup.parameters.circular_radius_tolerance.0);
+        let halves = if planted::is(Bug::ToleranceOnDiameter) { 1 } else { 2 };
+        let tolerance = halves * i128::from(self.setup.parameters.circular_radius_tolerance.0);
         if greater != less {
             let gap = RadiusGap { greater, less, tolerance };
             if sign(&gap, &mut self.slow) == Ordering::Greater {
@@ -195,8 +193,8 @@ fn quadrant_end(
 ) -> Option<Point> {
     let turn = if sense == Sense::CounterClockwise { 1 } else { -1 };
     let (start_z, start_x) = (2 * i128::from(start_z), 2 * i128::from(start_x));
-    let (side_z, side_x) =
-        quadrant((start_z, start_x), if planted::is(Bug::QuadrantOnAxis) { -turn } else { turn });
+    let entering = if planted::is(Bug::QuadrantOnAxis) { -turn } else { turn };
+    let (side_z, side_x) = quadrant((start_z, start_x), entering);
     let square = square((start_z, start_x));
     match (x, z) {
         (Some(x), _) => {

@@ -118,8 +118,8 @@ impl Interpreter<'_> {
                 for (address, axis) in axes {
                     if let Some(word) = words.get(address) {
                         let program = self.state.program(axis);
-                        let before =
-                            if planted::is(Bug::ShiftReplaced) { 0 } else { self.state.zero_shift[axis] };
+                        let replaced = planted::is(Bug::ShiftReplaced);
+                        let before = if replaced { 0 } else { self.state.zero_shift[axis] };
                         let shift = frame::shift_to(before, program, word);
                         self.state.zero_shift[axis] = if axis == C { turn::shift(shift) } else { shift };
                         shifted = true;
@@ -191,18 +191,13 @@ impl Interpreter<'_> {
     /// Reset at the end of the program.
     fn reset(&mut self, sink: &mut impl Sink) {
         let state = &self.state;
+        let droop = state.droop_control && !planted::is(Bug::ResetForgetsDroop);
         let changes = [
             (state.motion != 0, "motion", 0, state.motion, const { RuleSet::of(&[MCODE_04]) }),
             (state.incremental, "dimension", 90, 91, const { RuleSet::of(&[MCODE_04, ABS_01]) }),
             (state.per_minute, "feed_unit", 95, 94, const { RuleSet::of(&[MCODE_04, FEED_01]) }),
             (state.constant_speed, "cutting_speed", 97, 96, const { RuleSet::of(&[MCODE_04]) }),
-            (
-                state.droop_control && !planted::is(Bug::ResetForgetsDroop),
-                "droop",
-                64,
-                65,
-                const { RuleSet::of(&[MCODE_04]) },
-            ),
+            (droop, "droop", 64, 65, const { RuleSet::of(&[MCODE_04]) }),
         ];
         for (changed, group, code, previous, rules) in changes {
             if changed {

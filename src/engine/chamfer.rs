@@ -202,13 +202,8 @@ impl Interpreter<'_> {
             (begin, Point { x: corner.x, z: present.z.saturating_add(size) })
         } else {
             let begin = Point { x: present.x, z: corner.z - back };
-            (
-                begin,
-                Point {
-                    x: present.x.saturating_add(if planted::is(Bug::LegRadius) { size } else { 2 * size }),
-                    z: corner.z,
-                },
-            )
+            let aside = if planted::is(Bug::LegRadius) { size } else { 2 * size };
+            (begin, Point { x: present.x.saturating_add(aside), z: corner.z })
         };
         let kind = if rounding {
             let left = (travel.signum() * size.signum() > 0) != (along_x && !planted::is(Bug::RoundingSense));

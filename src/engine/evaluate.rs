@@ -33,8 +33,8 @@ impl Interpreter<'_> {
                     words.meet(Address::Calrg);
                 }
                 Item::Common { number, value } => {
-                    let value = self.compute(parsed, value)?.real()
-                        + if planted::is(Bug::NegativeZero) { -0.0 } else { 0.0 };
+                    let zero = if planted::is(Bug::NegativeZero) { -0.0 } else { 0.0 };
+                    let value = self.compute(parsed, value)?.real() + zero;
                     if let Some(slot) = self.state.common.get_mut(usize::from(number)) {
                         *slot = value;
                     }
@@ -120,13 +120,9 @@ impl Interpreter<'_> {
         ranged(number, units.length, if signed { -units.longest } else { 0 }, units.longest, ADDR_01)?;
         let inch_increments = self.setup.readings.inch_conversion == InchConversion::InchIncrement;
         let increment = if units.inch && inch_increments { 2540 } else { 1000 };
-        if units.inch && !number.is_real() || planted::is(Bug::LengthCut) {
-            let rounded = planted::is(Bug::WholeInchRounded);
-            return Ok(if rounded {
-                number.rounded(units.length, increment)
-            } else {
-                number.cut(units.length, increment)
-            });
+        let cut = units.inch && !number.is_real() && !planted::is(Bug::WholeInchRounded);
+        if cut || planted::is(Bug::LengthCut) {
+            return Ok(number.cut(units.length, increment));
         }
         Ok(number.rounded(units.length, increment))
     }
@@ -193,10 +189,8 @@ impl Interpreter<'_> {
             let result = match *operation {
                 Operation::Constant(value) => value,
                 Operation::Common(number) => {
-                    let shift = u8::from(planted::is(Bug::VariableIndex) && number >= 100);
-                    Operand::Real(
-                        self.state.common.get(usize::from(number - shift)).copied().unwrap_or_default(),
-                    )
+                    let place = number - u8::from(planted::is(Bug::VariableIndex) && number >= 100);
+                    Operand::Real(self.state.common.get(usize::from(place)).copied().unwrap_or_default())
                 }
                 Operation::System(variable) => {
                     let suffix = if variable.has_suffix() {

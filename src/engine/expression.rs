@@ -283,11 +283,8 @@ impl Parser<'_> {
         if written > 8 {
             return Fault::raise(AlarmName::NumberMalformed, MATH_18);
         }
-        self.operation(Operation::Constant(Operand::Integer(if planted::is(Bug::HexadecimalSaturates) {
-            pattern.min(0x7FFF_FFFF).cast_signed()
-        } else {
-            pattern.cast_signed()
-        })));
+        let pattern = if planted::is(Bug::HexadecimalSaturates) { pattern.min(0x7FFF_FFFF) } else { pattern };
+        self.operation(Operation::Constant(Operand::Integer(pattern.cast_signed())));
         Ok(())
     }
 

@@ -91,7 +91,8 @@ pub fn compare(comparison: Comparison, a: Operand, b: Operand) -> Operand {
     fn holds<T: PartialOrd>(comparison: Comparison, a: T, b: T) -> bool {
         match comparison {
             Comparison::Less => a < b,
-            Comparison::LessEqual => a < b || a == b && !planted::is(Bug::LessEqualStrict),
+            Comparison::LessEqual if planted::is(Bug::LessEqualStrict) => a < b,
+            Comparison::LessEqual => a <= b,
             Comparison::Equal => a == b,
             Comparison::NotEqual => a != b,
             Comparison::Greater => a > b,

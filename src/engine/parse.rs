@@ -81,8 +81,8 @@ impl Parser<'_> {
 
     fn skip_comment(&mut self) -> Result<(), Fault> {
         let rest = self.text.get(self.at..).unwrap_or_default();
-        let greedy = planted::is(Bug::GreedyComment);
-        match if greedy { memchr::memrchr(b')', rest) } else { memchr::memchr(b')', rest) } {
+        let find = if planted::is(Bug::GreedyComment) { memchr::memrchr } else { memchr::memchr };
+        match find(b')', rest) {
             Some(length) => {
                 self.at += length + 1;
                 Ok(())

@@ -65,7 +65,7 @@ bugs! {
     ShiftTwice 200 "frame" [COORD_03] "The zero shift enters the W frame twice."
     OffsetOfPreviousTool 100 "tools" [TOOL_02] "A T word of tool number 00 keeps the tool offset of before."
     AlwaysIndexes 1900 "tools" [TOOL_06] "The turret indexes to the station that it has."
-    TimeLimitInclusive 1300 "tools" [STM_01] "A T function that takes exactly the permitted time is over time."
+    TimeLimitInclusive 1300 "tools" [STM_01] "An S or T function that takes exactly the permitted time is over time."
     CuttingForgotten 5000 "tools" [TUNC_02] "A rapid motion does not end the state after a cutting motion."
     ClampInclusive 1600 "spindle" [SMAX_01] "A speed equal to the clamp counts as clamped."
     ClampIgnored 10000 "spindle" [SMAX_01] "The clamp of G50 S does not limit the lowest speed of a gear."

@@ -4,6 +4,19 @@ use turnspec_oracle::vocabulary::{AxisAmounts, Feature, Setup, TapeCode, UnitSys
 
 use crate::profile::Features;
 
+/// What an M code needs that is not known.
+pub(crate) const ANY_M_CODE: &[Feature] = &[
+    Feature::Aux,
+    Feature::CAxis,
+    Feature::Coolant,
+    Feature::Gear,
+    Feature::MTool,
+    Feature::OptionalStop,
+    Feature::Spindle,
+    Feature::TimeOver,
+    Feature::Turret,
+];
+
 /// What an M code needs.
 pub(crate) fn of_m_code(code: i64) -> &'static [Feature] {
     match code {

@@ -181,6 +181,7 @@ impl Scan<'_> {
         self.pass(|byte| byte == b' ');
         if self.peek() == b'=' {
             self.at += 1;
+            self.block.equal = true;
         }
     }
 
@@ -192,14 +193,17 @@ impl Scan<'_> {
 
     /// A word of one letter.
     fn word(&mut self, letter: u8) {
+        // A variable goes on with the value of a word, another letter begins the next word.
+        self.block.equal &= letter == b'V';
         let needs: &[Feature] = match letter {
             b'G' => {
-                let code = self.code();
+                let code = self.code().unwrap_or(-1);
                 self.note_g(code);
                 needs::of_g_code(code)
             }
-            b'M' => needs::of_m_code(self.code()),
-            b'V' => &[Feature::Variable],
+            b'M' => self.code().map_or(needs::ANY_M_CODE, needs::of_m_code),
+            b'V' if self.peek().is_ascii_digit() => &[Feature::Variable],
+            b'V' => &[Feature::SystemVariable, Feature::Alarm],
             b'X' | b'Z' | b'L' => &[],
             b'I' | b'K' => &[Feature::Arc],
             b'A' => &[Feature::AnyAngle],
@@ -230,15 +234,16 @@ impl Scan<'_> {
         };
     }
 
-    /// The code behind G or M, blanks passed over; -1 where none is written in digits.
-    fn code(&mut self) -> i64 {
+    /// The code behind G or M, blanks and brackets passed over; none where it has to be computed.
+    fn code(&mut self) -> Option<i64> {
         let mut digits = String::new();
         loop {
             match self.peek() {
                 b' ' => {}
                 b'\t' | b'\r' | 0x08 | 0x7F => self.needs.add(&[Feature::TapeCode]),
                 b'+' if digits.is_empty() => {}
-                b'=' if digits.is_empty() => self.needs.add(&[Feature::Expression]),
+                b'=' | b'[' if digits.is_empty() => self.needs.add(&[Feature::Expression]),
+                b']' => {}
                 digit @ b'0'..=b'9' => digits.push(char::from(digit)),
                 _ => break,
             }
@@ -247,6 +252,14 @@ impl Scan<'_> {
                 break;
             }
         }
-        digits.parse().unwrap_or(-1)
+        digits.parse().ok().filter(|_| !self.operator_follows())
+    }
+
+    /// Whether the value of a word goes on behind its first number.
+    fn operator_follows(&self) -> bool {
+        let rest = self.text.get(self.at..).unwrap_or_default();
+        let words = COMPARISONS.iter().chain(&BOOLEAN);
+        matches!(rest.first(), Some(b'+' | b'-' | b'*' | b'/' | b'.'))
+            || words.into_iter().any(|word| rest.starts_with(word))
     }
 }
