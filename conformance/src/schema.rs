@@ -1,10 +1,12 @@
-//! The JSON Schemas of the set-up, of an event, of a case, of a file of cases and of its index.
+//! The JSON Schemas of the set-up, of an event, of a case, of a file of cases, of its index, of a
+//! report and of what an implementation reads.
 
 use schemars::{JsonSchema, SchemaGenerator, generate::SchemaSettings};
 use turnspec_oracle::vocabulary::{Event, Setup};
 
-use crate::Case;
 use crate::corpus::{CorpusFile, CorpusIndex, FORMAT};
+use crate::report::Report;
+use crate::{Case, Task};
 
 /// File name and text of each schema.
 ///
@@ -16,7 +18,9 @@ pub fn schemas() -> Result<Vec<(&'static str, String)>, serde_json::Error> {
         ("corpus.schema.json", text::<CorpusFile>("corpus")?),
         ("corpus-index.schema.json", text::<CorpusIndex>("corpus-index")?),
         ("event.schema.json", text::<Event>("event")?),
+        ("report.schema.json", text::<Report>("report")?),
         ("setup.schema.json", text::<Setup>("setup")?),
+        ("task.schema.json", text::<Task>("task")?),
     ])
 }
 

@@ -8,6 +8,7 @@ pub const PROTOCOL: u32 = 1;
 
 /// A program to run on a set-up.
 #[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Task {
     /// Version of the rules for running.
     pub protocol: u32,

@@ -1,9 +1,11 @@
 //! The subcommands, and what each of them can come to.
 
+mod answer;
 mod book;
 mod check;
 mod color;
 mod completions;
+mod conform;
 mod csv;
 mod excerpt;
 mod explain;
@@ -60,6 +62,8 @@ enum Command {
     Check(check::Arguments),
     Explain(explain::Arguments),
     Rules(rules::Arguments),
+    Conform(conform::Arguments),
+    Answer(answer::Arguments),
     Fuzz(fuzz::Arguments),
     Completions(completions::Arguments),
 }
@@ -75,6 +79,8 @@ impl Cli {
             Command::Check(arguments) => check::carry_out(&arguments, self.color),
             Command::Explain(arguments) => explain::carry_out(&arguments, self.color),
             Command::Rules(arguments) => rules::carry_out(&arguments),
+            Command::Conform(arguments) => conform::carry_out(&arguments, self.color),
+            Command::Answer(arguments) => answer::carry_out(&arguments),
             Command::Fuzz(arguments) => fuzz::carry_out(&arguments),
             Command::Completions(arguments) => completions::carry_out(&arguments),
         }
