@@ -7,7 +7,7 @@ use serde::Deserialize;
 use turnspec_oracle::vocabulary::{Control, Feature, RuleId};
 
 use crate::observation::{KINDS, is_field};
-use crate::{Divergence, Tolerance};
+use crate::{Divergence, Tolerance, Verdict};
 
 /// The difference of two kinds of event.
 const KIND: &str = "kind";
@@ -115,9 +115,18 @@ impl TryFrom<WaiverTable> for Waiver {
 }
 
 impl Waiver {
-    /// Whether it permits what differs first in a divergence.
+    /// Whether a verdict shows what it permits: with a field, that this field differs first.
     #[must_use]
-    pub fn permits_field(&self, divergence: &Divergence) -> bool {
+    pub fn covers(&self, verdict: &Verdict) -> bool {
+        match verdict {
+            Verdict::Mismatch(divergence) => self.covers_divergence(divergence),
+            _ => self.field.is_none(),
+        }
+    }
+
+    /// Whether a divergence shows what it permits.
+    #[must_use]
+    pub fn covers_divergence(&self, divergence: &Divergence) -> bool {
         let first = divergence.differences.first().map_or(KIND, |difference| difference.field.as_str());
         self.field.as_ref().is_none_or(|field| field == first)
     }

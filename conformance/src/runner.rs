@@ -120,7 +120,7 @@ impl Runner<'_> {
                 outcome.stderr.lines().map(|line| printable(line, STDERR_SHOWN)).collect();
             report.stderr = last_characters(&lines.join("\n"), STDERR_SHOWN);
         }
-        match (self.waiver(report), report.verdict) {
+        match (self.waiver(report, &verdict), report.verdict) {
             (Some(waiver), Ruling::Mismatch | Ruling::Unsupported) => {
                 report.reason = format!("{}, waived: {}", report.verdict.as_str(), waiver.reason);
                 report.verdict = Ruling::Waived;
@@ -134,12 +134,12 @@ impl Runner<'_> {
     }
 
     /// The waiver of the case itself, or else of a rule that it is about.
-    fn waiver(&self, report: &CaseReport) -> Option<&Waiver> {
-        let waivers = &self.declaration.waivers;
+    fn waiver(&self, report: &CaseReport, verdict: &Verdict) -> Option<&Waiver> {
+        let waivers = self.declaration.waivers.iter().filter(|waiver| waiver.covers(verdict));
         let of_case = |waiver: &&Waiver| matches!(&waiver.subject, Subject::Case(id) if *id == report.id);
         let of_rule =
             |waiver: &&Waiver| matches!(&waiver.subject, Subject::Rule(rule) if report.rules.contains(rule));
-        waivers.iter().find(of_case).or_else(|| waivers.iter().find(of_rule))
+        waivers.clone().find(of_case).or_else(|| waivers.clone().find(of_rule))
     }
 
     fn report(&self, mut cases: Vec<CaseReport>) -> Report {
@@ -161,12 +161,12 @@ impl Runner<'_> {
         }
     }
 
-    /// A waiver of a rule is out of date when no case about the rule fails any more.
+    /// A waiver of a rule is out of date when no case about the rule fails any more. One that is limited to a field
+    /// is not judged: what it is about may show itself in campaigns only.
     fn mark_stale_rule_waivers(&self, cases: &mut [CaseReport]) {
         for waiver in &self.declaration.waivers {
-            let Subject::Rule(rule) = waiver.subject else { continue };
-            let about =
-                |case: &&mut CaseReport| case.rules.contains(&rule) && case.verdict != Ruling::Skipped;
+            let (Subject::Rule(rule), None) = (&waiver.subject, &waiver.field) else { continue };
+            let about = |case: &&mut CaseReport| case.rules.contains(rule) && case.verdict != Ruling::Skipped;
             let passes = |case: &mut CaseReport| matches!(case.verdict, Ruling::Pass | Ruling::StaleWaiver);
             let needed = !cases.iter_mut().filter(about).all(passes);
             if !needed {
