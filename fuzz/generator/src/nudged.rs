@@ -63,8 +63,8 @@ fn coordinates(program: &mut Program) -> Vec<(&'static str, &mut Number)> {
     words
 }
 
-/// The number and one unit of its last decimal, which has at least this place; none when it has more than eight digits
-/// then (E100L-TYPE-03).
+/// The number and one unit of its last decimal, which has at least this place; none when it has more than
+/// eight digits then (E100L-TYPE-03).
 fn one_more(number: Number, decimals: u8) -> Option<Number> {
     let finer = decimals.saturating_sub(number.decimals);
     let increment = 10_i64.saturating_pow(u32::from(number.decimals.saturating_sub(decimals)));

@@ -12,8 +12,8 @@ use crate::program::{Block, Item, Line, Program};
 use crate::state::State;
 use crate::{setup, tape};
 
-/// One program in two spellings: blanks, comments, leading zeros, signs, continuation lines, ends of line, tape
-/// code, and the order of words that are not codes.
+/// One program in two spellings: blanks, comments, leading zeros, signs, continuation lines, ends of line,
+/// tape code, and the order of words that are not codes.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Respelled {
     /// A spelling.
@@ -85,8 +85,8 @@ fn grown(choices: &mut Choices<'_, '_>) -> (Program, State) {
     builder.finish()
 }
 
-/// The program with the words of some blocks in another order. G words keep their order among themselves, so do M
-/// words (they are carried out in written order); a block with an assignment stays as it is.
+/// The program with the words of some blocks in another order. G words keep their order among themselves, so
+/// do M words (they are carried out in written order); a block with an assignment stays as it is.
 fn reorder(program: &Program, choices: &mut Choices<'_, '_>) -> Program {
     let mut program = program.clone();
     for line in &mut program.lines {
@@ -115,8 +115,8 @@ fn is_word(item: &Item, address: &str) -> bool {
     matches!(item, Item::Word(word) if word.address == address)
 }
 
-/// Takes the sequence names away, but not those that are the whole of a block (without them it would be none), and
-/// adds remarks.
+/// Takes the sequence names away, but not those that are the whole of a block (without them it would be
+/// none), and adds remarks.
 fn remark(program: Program, choices: &mut Choices<'_, '_>) -> Program {
     const REMARKS: [&[u8]; 5] = [b"(REMARK)", b"", b"\t (A) ", b" ", b"(( G00 X1)"];
     let mut lines = Vec::new();

@@ -1,9 +1,10 @@
 //! Writes the first inputs of the fuzz targets into `fuzz/corpus/`, a folder a target.
 //!
-//! Targets that read a program as it stands (`raw`, `parse`, `round_trip`, `termination`) begin with the programs of the
-//! rule examples, of the conformance cases, of the regressions and of the generator; `setup` with the set-ups of the
-//! same cases; `trace` with lines of the traces of the rule examples; `expression` with the right sides of their
-//! assignments; the others, which read choices of the generator, with streams of bytes, as do all of them besides.
+//! Targets that read a program as it stands (`raw`, `parse`, `round_trip`, `termination`) begin with the
+//! programs of the rule examples, of the conformance cases, of the regressions and of the generator; `setup`
+//! with the set-ups of the same cases; `trace` with the traces of the same cases; `expression`
+//! with the right sides of their assignments; the others, which read choices of the generator, with streams
+//! of bytes, as do all of them besides.
 //!
 //! `cargo run -p turnspec-properties --example seed_corpus`
 

@@ -6,8 +6,8 @@ use turnspec_generator::Case;
 
 use crate::Verdict;
 
-/// On a program that the generator grows from the bytes, and on its set-up, the oracle and the engine give the same
-/// events with the same coordinates, rules, readings and places, and the same alarm.
+/// On a program that the generator grows from the bytes, and on its set-up, the oracle and the engine give
+/// the same events with the same coordinates, rules, readings and places, and the same alarm.
 pub(crate) fn generated_programs_agree(input: &[u8]) -> Verdict {
     match Case::arbitrary(&mut Unstructured::new(input)) {
         Ok(case) => agree(&case),

@@ -10,13 +10,14 @@ use crate::differential::agree;
 /// The most bytes of a text that is taken as an expression.
 const LONGEST: usize = 150;
 
-/// An expression has the same value, bit by bit, or the same alarm in the oracle and in the engine: assigned to a
-/// common variable, and as the value of words that are exact decimals afterwards. The expressions are those of the
-/// generator, with all operators and functions, in all unit systems, on variables that hold any binary64 numbers; each
-/// of them once more after one of its characters was changed; and the bytes as they are.
+/// An expression has the same value, bit by bit, or the same alarm in the oracle and in the engine: assigned
+/// to a common variable, and as the value of words that are exact decimals afterwards. The expressions are
+/// those of the generator, with all operators and functions, in all unit systems, on variables that hold any
+/// binary64 numbers; each of them once more after one of its characters was changed; and the bytes as they
+/// are.
 ///
-/// Rules: E100L-AEXP-01, E100L-AEXP-05, E100L-AEXP-06, E100L-AEXP-07, E100L-TYPE-01, E100L-TYPE-08, E100L-TYPE-10,
-/// E100L-TYPE-12, E100L-FUNC-01, E100L-FUNC-02, E100L-MATH-05, E100L-MATH-18, E100L-CVAR-04
+/// Rules: E100L-AEXP-01, E100L-AEXP-05, E100L-AEXP-06, E100L-AEXP-07, E100L-TYPE-01, E100L-TYPE-08,
+/// E100L-TYPE-10, E100L-TYPE-12, E100L-FUNC-01, E100L-FUNC-02, E100L-MATH-05, E100L-MATH-18, E100L-CVAR-04
 pub(crate) fn expressions_agree(input: &[u8]) -> Verdict {
     raw(input)?;
     let mut bytes = Unstructured::new(input);

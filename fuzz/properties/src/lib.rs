@@ -1,9 +1,9 @@
 //! What holds for every program and every set-up, said once for fuzzers and tests.
 //!
 //! A property is a function of bytes. It reads from them what it needs (a program, a set-up, choices of the
-//! generator) and says in words what does not hold. A fuzz target calls it and panics on its answer; the tests of
-//! this crate call it with the bytes of seeds and with kept regressions, so that each property is exercised
-//! wherever `cargo test` runs. Every input is answered: one that gives no case holds.
+//! generator) and says in words what does not hold. A fuzz target calls it and panics on its answer; the
+//! tests of this crate call it with the bytes of seeds and with kept regressions, so that each property is
+//! exercised wherever `cargo test` runs. Every input is answered: one that gives no case holds.
 
 mod differential;
 mod expression;

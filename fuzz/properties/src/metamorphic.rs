@@ -44,9 +44,9 @@ fn run(program: String) -> Vec<Event> {
     trace(&Case { setup: Setup::default(), program: program.into_bytes() })
 }
 
-/// A path of lines, corners and arcs that is written in G90, in G91, or in either from block to block does the same:
-/// the same events with the same coordinates, corners and alarms, but for the `mode` events of G90 and G91 and the rules
-/// that name the mode.
+/// A path of lines, corners and arcs that is written in G90, in G91, or in either from block to block does
+/// the same: the same events with the same coordinates, corners and alarms, but for the `mode` events of G90
+/// and G91 and the rules that name the mode.
 ///
 /// Rules: E100L-ABS-01, E100L-ABS-02, E100L-CIRC-03, E100L-CIRC-19, E100L-ANG-03, E100L-ANG-04
 fn absolute_and_incremental_agree(path: &Path, spellings: &[Spelling]) -> Verdict {
@@ -66,10 +66,10 @@ fn is_dimension(action: &Action) -> bool {
     matches!(action, Action::Mode { group, .. } if group.as_str() == "dimension")
 }
 
-/// A G50 anywhere between the blocks of a path (not inside a corner) translates the program coordinates of what follows,
-/// centres of arcs included, and does nothing else: machine coordinates, feeds, path lengths, senses, rules, readings and
-/// alarms stay, when the words in G90 are translated with it. Only the events of G50 itself and of the reset of its shift
-/// are added.
+/// A G50 anywhere between the blocks of a path (not inside a corner) translates the program coordinates of
+/// what follows, centres of arcs included, and does nothing else: machine coordinates, feeds, path lengths,
+/// senses, rules, readings and alarms stay, when the words in G90 are translated with it. Only the events of
+/// G50 itself and of the reset of its shift are added.
 ///
 /// Rules: E100L-COORD-03, E100L-G50-01, E100L-G50-02, E100L-G50-05, E100L-SVAR-02
 fn a_shift_only_translates(path: &Path, spellings: &[Spelling]) -> Verdict {
@@ -115,8 +115,8 @@ fn translated(event: &Event, (x, z): (i64, i64)) -> Event {
     Event { action, ..*event }
 }
 
-/// A program of the generator does the same without its sequence names and with empty blocks and remarks between its
-/// blocks, but for places in the text and the alarm of a sequence name used twice.
+/// A program of the generator does the same without its sequence names and with empty blocks and remarks
+/// between its blocks, but for places in the text and the alarm of a sequence name used twice.
 ///
 /// Rules: E100L-SEQ-01, E100L-SEQ-04, E100L-CMT-01
 fn names_and_remarks_do_not_matter(pair: &Remarked) -> Verdict {

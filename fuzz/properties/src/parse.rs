@@ -15,11 +15,11 @@ use crate::{Verdict, require};
 
 /// Any bytes through the readers of text, after a set-up that the first ones choose.
 ///
-/// The oracle's reader cuts the text into blocks whose byte spans lie in the text, one after the other, and whose line
-/// numbers rise; the spans of the items of a block lie in its span, one after the other. The engine's reader accepts as
-/// many blocks up to the first fault. `check` finds no fault exactly when the run has no alarm, else the alarm of the
-/// run is among them; its faults stand at places in the text. (A fault of something that is missing at the end of the
-/// text points at the one place behind it.)
+/// The oracle's reader cuts the text into blocks whose byte spans lie in the text, one after the other, and
+/// whose line numbers rise; the spans of the items of a block lie in its span, one after the other. The
+/// engine's reader accepts as many blocks up to the first fault. `check` finds no fault exactly when the run
+/// has no alarm, else the alarm of the run is among them; its faults stand at places in the text. (A fault of
+/// something that is missing at the end of the text points at the one place behind it.)
 ///
 /// Rules: E100L-FMT-01, E100L-FMT-04, E100L-FMT-05, E100L-AEXP-12, E100L-CMT-01, E100L-DEL-01, E100L-NAME-01,
 /// E100L-SEQ-01, E100L-SEQ-03, E100L-TAPE-01, E100L-TAPE-04

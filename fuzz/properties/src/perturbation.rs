@@ -25,33 +25,37 @@ const THRESHOLDS: &[AlarmName] = &[
     AlarmName::Unspecified,
 ];
 
-/// Rules that an event cites on one side of a threshold only: a motion that ends at a limit, a speed at a bound.
+/// Rules that an event cites on one side of a threshold only: a motion that ends at a limit, a speed at a
+/// bound.
 const BOUNDS: &[RuleId] = &[LIM_01, CSS_04, SMAX_01];
 
 /// Rules of corners whose elements may have no length: none is emitted then.
 const CORNERS: &[RuleId] = &[ANG_03, ANG_04, CHAM_03, CHAM_11];
 
-/// Rules of end points that are computed by division: from an angle, from a circle, at a corner of any angle. Close to
-/// parallel lines and tangents they move by more than their data.
+/// Rules of end points that are computed by division: from an angle, from a circle, at a corner of any angle.
+/// Close to parallel lines and tangents they move by more than their data.
 const COMPUTED: &[RuleId] = &[DTAP_03, ANG_01, ANG_03, ANG_04, ANG_05, ANG_06, CIRC_08];
 
-/// Two programs of the generator differ by one increment (0.001 mm, 0.0001 inch) in one X, Z or W word that is a plain
-/// number. No expression of them reads a position or the zero shift, so that a coordinate can act in no other way than
-/// as a coordinate. Then:
+/// Two programs of the generator differ by one increment (0.001 mm, 0.0001 inch) in one X, Z or W word that
+/// is a plain number. No expression of them reads a position or the zero shift, so that a coordinate can act
+/// in no other way than as a coordinate. Then:
 ///
-/// 1. **Shape.** Both have the same events (kinds, codes, names, senses, lines, readings, and rules but for those of
-///    bounds: LIM-01, CSS-04, SMAX-01), up to the first threshold that one of them crosses. A threshold shows as an
-///    alarm of `THRESHOLDS` in one of them (or as another alarm that both have at the same line), as an element of a
-///    corner that has no length in one of them, or as a zero shift that is zero in one of them at the reset.
-/// 2. **Distance.** Up to that place, and up to the first end point that is computed from an angle, from a circle and one
-///    coordinate, or at a corner of any angle, every machine coordinate of the axis of that word moves by at least nothing
-///    and at most the increment, in the same direction throughout; the other axes do not move at all. (1000 nm; from
-///    inches at most 3000 nm, since words are rounded to 0.001 mm.) Nothing is multiplied on the way: an absolute word
-///    replaces the difference, an incremental one carries it on, G50 keeps it, a limit or a torque stop cuts it off.
+/// 1. **Shape.** Both have the same events (kinds, codes, names, senses, lines, readings, and rules but for
+///    those of bounds: LIM-01, CSS-04, SMAX-01), up to the first threshold that one of them crosses. A
+///    threshold shows as an alarm of `THRESHOLDS` in one of them (or as another alarm that both have at the
+///    same line), as an element of a corner that has no length in one of them, or as a zero shift that is
+///    zero in one of them at the reset.
+/// 2. **Distance.** Up to that place, and up to the first end point that is computed from an angle, from a
+///    circle and one coordinate, or at a corner of any angle, every machine coordinate of the axis of that
+///    word moves by at least nothing and at most the increment, in the same direction throughout; the other
+///    axes do not move at all. (1000 nm; from inches at most 3000 nm, since words are rounded to 0.001 mm.)
+///    Nothing is multiplied on the way: an absolute word replaces the difference, an incremental one carries
+///    it on, G50 keeps it, a limit or a torque stop cuts it off.
 /// 3. **Radius.** The centre of an arc by radius stays as far from its end, to within the 3 nm of latching.
 ///
-/// Rules: E100L-ABS-01, E100L-ABS-02, E100L-COORD-03, E100L-G50-02, E100L-LIM-01, E100L-LIM-02, E100L-CIRC-11,
-/// E100L-CIRC-16, E100L-CIRC-17, E100L-CHAM-07, E100L-TRQ-04, E100L-TRQ-05, E100L-TRQ-06, E100L-INCH-02
+/// Rules: E100L-ABS-01, E100L-ABS-02, E100L-COORD-03, E100L-G50-02, E100L-LIM-01, E100L-LIM-02,
+/// E100L-CIRC-11, E100L-CIRC-16, E100L-CIRC-17, E100L-CHAM-07, E100L-TRQ-04, E100L-TRQ-05, E100L-TRQ-06,
+/// E100L-INCH-02
 pub(crate) fn a_small_change_moves_little(input: &[u8]) -> Verdict {
     let Some(pair) = Nudged::from_bytes(input) else { return Ok(()) };
     if reads_positions(&pair.before.program) { Ok(()) } else { moves_little(&pair) }
@@ -71,7 +75,8 @@ fn reads_positions(program: &[u8]) -> bool {
     ["VSIO", "VAPA", "VZSH"].iter().any(|name| program.windows(4).any(|text| text == name.as_bytes()))
 }
 
-/// How many events there are before the block in which a threshold is crossed; all of them when there is none.
+/// How many events there are before the block in which a threshold is crossed; all of them when there is
+/// none.
 fn same_shape(before: &[Event], after: &[Event]) -> Result<usize, String> {
     for (index, (one, other)) in before.iter().zip(after).enumerate() {
         if shape(one) == shape(other) {

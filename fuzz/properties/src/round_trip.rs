@@ -13,14 +13,15 @@ use crate::{Verdict, require};
 /// The longest block, in characters (E100L-FMT-05).
 const LONGEST: usize = 158;
 
-/// Two spellings of a program of the generator (blanks, tabs, comments, signs, leading and trailing zeros, equal signs,
-/// superfluous brackets, continuation lines, CR, tape codes) have the same trace but for the places in the text. When
-/// words of a block stand in another order too (codes among themselves excepted, and blocks with an assignment), the
-/// events are the same up to an alarm; which fault of a block is found first is the only thing that may differ.
+/// Two spellings of a program of the generator (blanks, tabs, comments, signs, leading and trailing zeros,
+/// equal signs, superfluous brackets, continuation lines, CR, tape codes) have the same trace but for the
+/// places in the text. When words of a block stand in another order too (codes among themselves excepted, and
+/// blocks with an assignment), the events are the same up to an alarm; which fault of a block is found first
+/// is the only thing that may differ.
 ///
-/// The syntax tree of every block without fault, of that program and of the bytes as they are, printed in one plain
-/// spelling parses to the same tree (spans aside). A tree whose plain spelling is longer than a block may be is left
-/// out.
+/// The syntax tree of every block without fault, of that program and of the bytes as they are, printed in one
+/// plain spelling parses to the same tree (spans aside). A tree whose plain spelling is longer than a block
+/// may be is left out.
 ///
 /// Rules: E100L-FMT-01, E100L-FMT-02, E100L-FMT-03, E100L-FMT-07, E100L-CMT-01, E100L-AEXP-04, E100L-AEXP-05,
 /// E100L-AEXP-06, E100L-AEXP-07, E100L-AEXP-12, E100L-TAPE-01, E100L-TAPE-02, E100L-DEC-02, E100L-CVAR-01

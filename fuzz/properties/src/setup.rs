@@ -5,11 +5,11 @@ use turnspec_oracle::vocabulary::Setup;
 
 use crate::{Verdict, require};
 
-/// Any text through the reader of set-up files: it does not panic. What it takes is valid, and written as TOML or as
-/// JSON it reads back as the same set-up. What it refuses it refuses with a byte span inside the text, at borders of
-/// characters, or, when the text is a set-up but its values are impossible, with the name of a field at the beginning
-/// of the message. The text is the input itself, and a set-up of the generator (valid by construction, so that it must
-/// be taken) before and after a few characters of it are changed.
+/// Any text through the reader of set-up files: it does not panic. What it takes is valid, and written as
+/// TOML or as JSON it reads back as the same set-up. What it refuses it refuses with a byte span inside the
+/// text, at borders of characters, or, when the text is a set-up but its values are impossible, with the name
+/// of a field at the beginning of the message. The text is the input itself, and a set-up of the generator
+/// (valid by construction, so that it must be taken) before and after a few characters of it are changed.
 ///
 /// Rules: none (the form of the set-up file)
 pub(crate) fn setup_files_read_back(input: &[u8]) -> Verdict {

@@ -27,11 +27,11 @@ const BLOCK: usize = 28;
 /// The fewest characters of an assignment, `V1=1`. It emits `variable` and at most one `frame`.
 const ASSIGNMENT: usize = 4;
 
-/// A program runs to an end: a step reads at least one line or is the last one, so that there are at most two steps
-/// more than ends of block. A block of n characters emits at most 28 + 2⌊n/4⌋ events, and one more if it is an
-/// alarm. Events are numbered from 1 without a gap, their blocks follow the order of the text, `end` or `alarm` comes
-/// last and nowhere else, and a step after the end does nothing. All this of the oracle and of the engine, on a
-/// program of the generator and on the bytes as they are.
+/// A program runs to an end: a step reads at least one line or is the last one, so that there are at most two
+/// steps more than ends of block. A block of n characters emits at most 28 + 2⌊n/4⌋ events, and one more if
+/// it is an alarm. Events are numbered from 1 without a gap, their blocks follow the order of the text, `end`
+/// or `alarm` comes last and nowhere else, and a step after the end does nothing. All this of the oracle and
+/// of the engine, on a program of the generator and on the bytes as they are.
 ///
 /// Rules: E100L-PROG-02, E100L-MCODE-04, E100L-FMT-04, E100L-FMT-05, E100L-FMT-06, E100L-GCODE-04
 pub(crate) fn programs_end(input: &[u8]) -> Verdict {

@@ -8,11 +8,11 @@ use crate::differential::show;
 use crate::shape::trace;
 use crate::{Verdict, require};
 
-/// A trace that is written as JSON Lines and read back is the same, to the last bit of a real value; a line holds one
-/// event. The compact notation of an event matches it, alone and as part of the whole trace, and holds every number that
-/// its JSON holds; of two neighbours that match each other's notation the actions, lines, rules and readings are equal.
-/// Any bytes can be offered to the reader of events: what it takes can be written, reads back as the same event, and has
-/// a compact notation that matches it.
+/// A trace that is written as JSON Lines and read back is the same, to the last bit of a real value; a line
+/// holds one event. The compact notation of an event matches it, alone and as part of the whole trace, and
+/// holds every number that its JSON holds; of two neighbours that match each other's notation the actions,
+/// lines, rules and readings are equal. Any bytes can be offered to the reader of events: what it takes can
+/// be written, reads back as the same event, and has a compact notation that matches it.
 ///
 /// Rules: none (the form of the trace)
 pub(crate) fn traces_read_back(input: &[u8]) -> Verdict {

@@ -1,5 +1,6 @@
-//! Replays the kept inputs of the fuzz targets: `fuzz/regressions/TARGET/NAME`, the input byte by byte; and the kept
-//! programs, `fuzz/regressions/NAME.min`, as inputs of every target that reads a program as it stands.
+//! Replays the kept inputs of the fuzz targets: `fuzz/regressions/TARGET/NAME`, the input byte by byte; and
+//! the kept programs, `fuzz/regressions/NAME.min`, as inputs of every target that reads a program as it
+//! stands.
 
 #![allow(clippy::panic)]
 
