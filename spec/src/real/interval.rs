@@ -164,4 +164,13 @@ mod tests {
             assert!(root.high() - root.low() < ratio(1, 1 << 60));
         }
     }
+
+    /// What may be zero may be of any size below: the quotient says nothing, on both sides.
+    #[test]
+    fn a_quotient_by_what_may_be_zero_says_nothing() {
+        let nothing = Interval::of(&whole(0), 64).widen(1);
+        let quotient = Interval::of(&whole(1), 64).div(&nothing);
+        assert!(quotient.low() < whole(-1_000_000) && quotient.high() > whole(1_000_000));
+        assert_eq!(quotient.sign(), None);
+    }
 }
