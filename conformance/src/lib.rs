@@ -1,8 +1,12 @@
-//! Language-neutral conformance cases: a program, a set-up, and the trace that the rules demand.
+//! Language-neutral conformance cases, and the runner that puts other implementations to them.
 //!
-//! The cases stand in `cases/<control>/*.json`; their shape is [`Case`], described by a JSON Schema in
-//! `schemas/`. An implementation in any language can read them: run the program on the set-up, write the
-//! trace, compare it line by line with `expect`.
+//! A [`Case`] is a part program, a set-up, and the trace that the rules demand. The [`corpus`] holds the
+//! hand-written cases of `cases/<control>/` and the examples of the rule texts; JSON Schemas in `schemas/`
+//! describe their files, so that an implementation in any language can read them.
+//!
+//! An [`Implementation`] is any program that reads a [`Task`] and writes a trace, as `PROTOCOL.md` says. Running
+//! it gives an [`Outcome`], [`compare`] a [`Verdict`] as far as its [`Declaration`] lets it be judged. A
+//! [`Runner`] does that for a corpus and makes a [`report::Report`].
 
 mod alignment;
 mod case;
@@ -19,6 +23,7 @@ mod figure;
 mod files;
 mod observation;
 pub mod page;
+mod pipes;
 mod process;
 pub mod report;
 mod runner;

@@ -7,21 +7,18 @@
 //! waited for.
 
 use std::fmt;
-use std::io::{self, ErrorKind, Read, Write};
-use std::os::fd::AsFd;
+use std::io;
 use std::os::unix::process::{CommandExt, ExitStatusExt};
 use std::process::{Child, Command, ExitStatus, Stdio};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
-use rustix::event::{PollFd, PollFlags, Timespec, poll};
 use rustix::process::{Pid, Signal, WaitId, WaitIdOptions, kill_process_group, waitid};
 
 use crate::Task;
+use crate::pipes::Pipes;
 
-/// Bytes of standard error that are kept for the report.
-const STDERR_KEPT: usize = 4096;
 /// The longest time without a look at the clock, at the process and at the interrupt.
 const TICK: Duration = Duration::from_millis(20);
 
@@ -152,12 +149,7 @@ impl Implementation {
         let mut group = self.start()?;
         let mut pipes = Pipes::of(&mut group.child, input, self.output_limit)?;
         let exit = self.watch(&mut group, &mut pipes, start)?;
-        Ok(Outcome {
-            exit,
-            output: pipes.stdout.kept,
-            stderr: String::from_utf8_lossy(&pipes.stderr.kept).into_owned(),
-            duration: start.elapsed(),
-        })
+        Ok(Outcome { exit, duration: start.elapsed(), stderr: pipes.stderr(), output: pipes.into_output() })
     }
 
     fn start(&self) -> Result<Group, RunError> {
@@ -226,126 +218,6 @@ impl Drop for Group {
         // Collected processes have been ended before: their id may belong to somebody else by now.
         if let Ok(None) = self.child.try_wait() {
             let _ = self.end();
-        }
-    }
-}
-
-/// The three pipes of a process, none of which blocks.
-struct Pipes {
-    stdin: Option<std::process::ChildStdin>,
-    input: Vec<u8>,
-    written: usize,
-    stdout: Reader<std::process::ChildStdout>,
-    stderr: Reader<std::process::ChildStderr>,
-}
-
-impl Pipes {
-    fn of(child: &mut Child, input: Vec<u8>, limit: usize) -> Result<Self, RunError> {
-        let missing = || io::Error::other("a pipe is missing");
-        let stdin = child.stdin.take().ok_or_else(missing)?;
-        let stdout = child.stdout.take().ok_or_else(missing)?;
-        let stderr = child.stderr.take().ok_or_else(missing)?;
-        rustix::io::ioctl_fionbio(&stdin, true)?;
-        rustix::io::ioctl_fionbio(&stdout, true)?;
-        rustix::io::ioctl_fionbio(&stderr, true)?;
-        Ok(Self {
-            stdin: Some(stdin),
-            input,
-            written: 0,
-            stdout: Reader::new(stdout, limit, limit),
-            stderr: Reader::new(stderr, limit, STDERR_KEPT),
-        })
-    }
-
-    fn outputs_closed(&self) -> bool {
-        self.stdout.pipe.is_none() && self.stderr.pipe.is_none()
-    }
-
-    fn flooded(&self) -> bool {
-        self.stdout.flooded() || self.stderr.flooded()
-    }
-
-    /// Waits until a pipe is ready, but not longer than the given time.
-    fn wait(&self, longest: Duration) -> Result<(), RunError> {
-        let mut descriptors = Vec::with_capacity(3);
-        if let Some(stdin) = &self.stdin {
-            descriptors.push(PollFd::from_borrowed_fd(stdin.as_fd(), PollFlags::OUT));
-        }
-        if let Some(stdout) = &self.stdout.pipe {
-            descriptors.push(PollFd::from_borrowed_fd(stdout.as_fd(), PollFlags::IN));
-        }
-        if let Some(stderr) = &self.stderr.pipe {
-            descriptors.push(PollFd::from_borrowed_fd(stderr.as_fd(), PollFlags::IN));
-        }
-        let longest = Timespec { tv_sec: 0, tv_nsec: longest.min(TICK).subsec_nanos().into() };
-        match poll(&mut descriptors, Some(&longest)) {
-            Ok(_) | Err(rustix::io::Errno::INTR) => Ok(()),
-            Err(error) => Err(error.into()),
-        }
-    }
-
-    /// Moves what can be moved without waiting.
-    fn transfer(&mut self) {
-        self.write();
-        self.stdout.read();
-        self.stderr.read();
-    }
-
-    /// An implementation need not read its input: a closed pipe is no fault.
-    fn write(&mut self) {
-        while let Some(stdin) = &mut self.stdin {
-            match stdin.write(self.input.get(self.written..).unwrap_or_default()) {
-                Ok(0) => self.stdin = None,
-                Ok(count) => {
-                    self.written += count;
-                    if self.written >= self.input.len() {
-                        self.stdin = None;
-                    }
-                }
-                Err(error) if error.kind() == ErrorKind::WouldBlock => return,
-                Err(error) if error.kind() == ErrorKind::Interrupted => {}
-                Err(_) => self.stdin = None,
-            }
-        }
-    }
-}
-
-/// One output: read to its end or to the limit, the last `keep` bytes kept.
-struct Reader<R> {
-    pipe: Option<R>,
-    limit: usize,
-    keep: usize,
-    count: usize,
-    kept: Vec<u8>,
-}
-
-impl<R: Read> Reader<R> {
-    fn new(pipe: R, limit: usize, keep: usize) -> Self {
-        Self { pipe: Some(pipe), limit, keep, count: 0, kept: Vec::new() }
-    }
-
-    fn flooded(&self) -> bool {
-        self.count > self.limit
-    }
-
-    fn read(&mut self) {
-        let mut chunk = [0; 16 << 10];
-        while let Some(pipe) = self.pipe.as_mut().filter(|_| self.count <= self.limit) {
-            match pipe.read(&mut chunk) {
-                Ok(0) => self.pipe = None,
-                Ok(count) => self.take(chunk.get(..count).unwrap_or_default()),
-                Err(error) if error.kind() == ErrorKind::WouldBlock => return,
-                Err(error) if error.kind() == ErrorKind::Interrupted => {}
-                Err(_) => self.pipe = None,
-            }
-        }
-    }
-
-    fn take(&mut self, bytes: &[u8]) {
-        self.count += bytes.len();
-        self.kept.extend_from_slice(bytes);
-        if self.kept.len() > self.keep {
-            self.kept.drain(..self.kept.len() - self.keep);
         }
     }
 }
