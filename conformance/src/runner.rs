@@ -16,7 +16,8 @@ use crate::explanation::explain;
 use crate::report::{CaseReport, Report, Ruling, by_rule, verdicts};
 use crate::selection::{Filter, reason_to_skip};
 use crate::{
-    Declaration, Exercise, Implementation, Outcome, PROTOCOL, RunError, Subject, Verdict, Waiver, printable,
+    Declaration, Exercise, Implementation, Outcome, PROTOCOL, Refusals, RunError, Subject, Verdict, Waiver,
+    printable,
 };
 
 /// The most characters of standard error that a report keeps.
@@ -112,6 +113,9 @@ impl Runner<'_> {
     fn judge(&self, exercise: &Exercise, outcome: &Outcome, book: &[RuleText], report: &mut CaseReport) {
         let verdict = compare(&exercise.expected, outcome, self.declaration);
         (report.verdict, report.reason) = ruling(&verdict);
+        if verdict == Verdict::Unsupported && self.declaration.refusals == Refusals::Skip {
+            report.verdict = Ruling::Skipped;
+        }
         if let Verdict::Mismatch(divergence) = &verdict {
             report.explanation = Some(explain(exercise, divergence, book));
         }
@@ -133,12 +137,23 @@ impl Runner<'_> {
         }
     }
 
-    /// The waiver of the case itself, or else of a rule that it is about.
+    /// The waiver of the case itself, or else of a rule that it is about or that the diverging line cites.
     fn waiver(&self, report: &CaseReport, verdict: &Verdict) -> Option<&Waiver> {
-        let waivers = self.declaration.waivers.iter().filter(|waiver| waiver.covers(verdict));
+        let divergence = match verdict {
+            Verdict::Mismatch(divergence) => Some(&**divergence),
+            _ => None,
+        };
+        let waivers = self.declaration.waivers.iter().filter(|waiver| match divergence {
+            Some(divergence) => waiver.covers(divergence),
+            None => waiver.field.is_none(),
+        });
         let of_case = |waiver: &&Waiver| matches!(&waiver.subject, Subject::Case(id) if *id == report.id);
-        let of_rule =
-            |waiver: &&Waiver| matches!(&waiver.subject, Subject::Rule(rule) if report.rules.contains(rule));
+        let of_rule = |waiver: &&Waiver| match &waiver.subject {
+            Subject::Rule(rule) => {
+                report.rules.contains(rule) || divergence.is_some_and(|each| each.cites(*rule))
+            }
+            Subject::Case(_) => false,
+        };
         waivers.clone().find(of_case).or_else(|| waivers.clone().find(of_rule))
     }
 
