@@ -87,6 +87,8 @@ pub struct Waiver {
     pub subject: Subject,
     /// The only field that may differ first, or `kind`: another event, or none, in the place of the expected one.
     pub field: Option<String>,
+    /// Text that the implementation's event must hold in compact notation.
+    pub got: Option<String>,
     /// Why.
     pub reason: String,
 }
@@ -106,6 +108,7 @@ struct WaiverTable {
     case: Option<String>,
     rule: Option<RuleId>,
     field: Option<String>,
+    got: Option<String>,
     reason: String,
 }
 
@@ -124,16 +127,24 @@ impl TryFrom<WaiverTable> for Waiver {
         if table.field.as_ref().is_some_and(|field| field != KIND && !is_field(field)) {
             return Err("the field of a waiver is `kind`, or a field of compact notation");
         }
-        Ok(Self { subject, field: table.field, reason: table.reason })
+        Ok(Self { subject, field: table.field, got: table.got, reason: table.reason })
     }
 }
 
 impl Waiver {
-    /// Whether a divergence is of the kind that it permits: with a field, that this field differs first.
+    /// Whether it is limited to a part of the divergences that its subject may show.
+    #[must_use]
+    pub fn is_limited(&self) -> bool {
+        self.field.is_some() || self.got.is_some()
+    }
+
+    /// Whether a divergence is of the kind that it permits.
     #[must_use]
     pub fn covers(&self, divergence: &Divergence) -> bool {
         let first = divergence.differences.first().map_or(KIND, |difference| difference.field.as_str());
+        let got = divergence.actual.as_ref().map(ToString::to_string).unwrap_or_default();
         self.field.as_ref().is_none_or(|field| field == first)
+            && self.got.as_ref().is_none_or(|text| got.contains(text.as_str()))
     }
 }
 
@@ -232,7 +243,7 @@ mod tests {
              events = ['rapid', 'alarm']\nomits = ['mx', 'path']\nalarms = 'any'\nundecided = 'alarm'\nrefusals = 'skip'\n\
              [tolerance]\nlength = '0.0005'\nspeed = 0.01\n\
              [[waiver]]\ncase = 'e100l/s4-g50-shift'\nreason = 'planned'\n\
-             [[waiver]]\nrule = 'E100L-G50-02'\nfield = 'kind'\nreason = 'planned'\n",
+             [[waiver]]\nrule = 'E100L-G50-02'\nfield = 'kind'\ngot = 'alarm'\nreason = 'planned'\n",
         )?;
         assert!(declaration.has_control(Control::E100l));
         assert!(declaration.has_feature(Feature::AnyAngle) && !declaration.has_feature(Feature::Arc));

@@ -145,7 +145,7 @@ impl Runner<'_> {
         };
         let waivers = self.declaration.waivers.iter().filter(|waiver| match divergence {
             Some(divergence) => waiver.covers(divergence),
-            None => waiver.field.is_none(),
+            None => !waiver.is_limited(),
         });
         let of_case = |waiver: &&Waiver| matches!(&waiver.subject, Subject::Case(id) if *id == report.id);
         let of_rule = |waiver: &&Waiver| match &waiver.subject {
@@ -176,11 +176,11 @@ impl Runner<'_> {
         }
     }
 
-    /// A waiver of a rule is out of date when no case about the rule fails any more. One that is limited to a field
+    /// A waiver of a rule is out of date when no case about the rule fails any more. One that is limited to some divergences
     /// is not judged: what it is about may show itself in campaigns only.
     fn mark_stale_rule_waivers(&self, cases: &mut [CaseReport]) {
         for waiver in &self.declaration.waivers {
-            let (Subject::Rule(rule), None) = (&waiver.subject, &waiver.field) else { continue };
+            let (Subject::Rule(rule), false) = (&waiver.subject, waiver.is_limited()) else { continue };
             let about = |case: &&mut CaseReport| case.rules.contains(rule) && case.verdict != Ruling::Skipped;
             let passes = |case: &mut CaseReport| matches!(case.verdict, Ruling::Pass | Ruling::StaleWaiver);
             let needed = !cases.iter_mut().filter(about).all(passes);
