@@ -155,3 +155,31 @@ fn every_waiver_of_rs274_refers_to_an_entry_of_the_ledger() {
         assert!(entry.contains(rule), "{rule} is not in entry {number}");
     }
 }
+
+#[test]
+fn refusals_and_limited_waivers_count_as_the_declaration_says() {
+    let declaration = scratch("declaration.toml");
+    let conform = |command: &str, rest: &str| {
+        fs::write(&declaration, format!("name = 'a'\n{rest}")).unwrap();
+        let declared = declaration.to_str().unwrap();
+        let filter = "e100l/rules/E100L-DWELL-01/2";
+        turnspec(&["conform", "--impl", command, "--declare", declared, "--filter", filter])
+    };
+    let refusing = "sh -c 'cat >/dev/null; exit 3'";
+    assert_eq!(conform(refusing, "").0, Some(1));
+    assert_eq!(conform(refusing, "refusals = 'skip'").0, Some(0));
+    // The case demands an alarm, this implementation ends the program.
+    let ending = r#"sh -c 'cat >/dev/null; echo "{\"kind\": \"end\", \"code\": \"M02\"}"'"#;
+    let waiver = |rest: &str| format!("[[waiver]]\nrule = 'E100L-DWELL-01'\nreason = 'known'\n{rest}");
+    for (rest, status) in [
+        ("", 0),
+        ("field = 'kind'", 0),
+        ("field = 'time'", 1),
+        ("got = 'end code=M02'", 0),
+        ("got = 'dwell'", 1),
+    ] {
+        let (found, stdout, stderr) = conform(ending, &waiver(rest));
+        assert_eq!((found, stderr.as_str()), (Some(status), ""), "{rest}: {stdout}");
+    }
+    fs::remove_file(declaration).unwrap();
+}
