@@ -252,3 +252,14 @@ fn mismatch(line: &str, event: &Event) -> Option<String> {
         (!fits).then(|| format!("`{word}` does not hold"))
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::Expectation;
+
+    #[test]
+    fn empty_lines_and_remarks_are_no_lines() {
+        let text = "rapid x=1\n\n# a remark\n  ...  \nend\n";
+        assert_eq!(Expectation::parse(text).lines(), ["rapid x=1", "...", "end"]);
+    }
+}

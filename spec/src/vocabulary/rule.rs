@@ -172,4 +172,10 @@ mod tests {
             assert_eq!(RuleId::parse(rule.as_str()), Some(rule));
         }
     }
+
+    #[test]
+    fn a_set_shows_its_ids() {
+        let rules: Vec<_> = RuleId::all().take(2).collect();
+        assert_eq!(format!("{:?}", RuleSet::of(&rules)), format!("{{{}, {}}}", rules[0], rules[1]));
+    }
 }
