@@ -71,3 +71,11 @@ fn reading_goes_on_behind_a_character_that_is_none() {
     let names: Vec<_> = found.iter().map(|fault| fault.alarm.name).collect();
     assert_eq!(names, [AlarmName::IllegalCharacter, AlarmName::TooManyDigits]);
 }
+
+#[test]
+fn a_character_that_begins_nothing_is_the_fault() {
+    for (program, fault) in [("G00 * X1\nM02\n", "*"), ("V1=1+*2\nM02\n", "*")] {
+        let found = faults(program);
+        assert!(found.iter().any(|(line, _, text)| (*line, *text) == (1, fault)), "{found:?}");
+    }
+}

@@ -126,4 +126,9 @@ mod tests {
         }
         assert_eq!(label.as_str(), format!("A?{}", "B".repeat(21)));
     }
+
+    #[test]
+    fn a_label_shows_its_text() {
+        assert!(format!("{:?}", Label::new("M110")).contains("M110"));
+    }
 }

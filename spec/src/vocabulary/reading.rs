@@ -173,4 +173,13 @@ mod tests {
             assert_eq!(left.union(right).iter().collect::<Vec<_>>(), [first, last]);
         }
     }
+
+    #[test]
+    fn a_set_reads_back_and_shows_its_names() {
+        let set = ReadingSet::default().with(Reading::ALL[0]);
+        let json = serde_json::to_string(&set).unwrap_or_default();
+        assert_eq!(json, format!("[\"{}\"]", Reading::ALL[0].as_str()));
+        assert_eq!(serde_json::from_str::<ReadingSet>(&json).ok(), Some(set));
+        assert!(format!("{set:?}").contains(Reading::ALL[0].as_str()));
+    }
 }
