@@ -79,3 +79,19 @@ fn a_character_that_begins_nothing_is_the_fault() {
         assert!(found.iter().any(|(line, _, text)| (*line, *text) == (1, fault)), "{found:?}");
     }
 }
+
+/// The alarm of the run is told beside a fault of the text with the same name in another block.
+#[test]
+fn equal_alarms_of_two_blocks_are_two_faults() {
+    let program = "G00 X1 X2\nG02 X1 Z1 L5 CALRG CALRG\nM02\n";
+    let found = faults(program);
+    let lines: Vec<_> = found.iter().map(|(line, alarm, _)| (*line, *alarm)).collect();
+    assert_eq!(lines, [(2, AlarmName::DuplicateAddress), (1, AlarmName::DuplicateAddress)]);
+}
+
+#[test]
+fn a_block_lies_where_its_text_stands() {
+    let found = check(b"G00 X1\nG01 X2\n", &Setup::default());
+    let places: Vec<_> = found.iter().map(|fault| (fault.block.start, fault.block.end)).collect();
+    assert_eq!(places, [(7, 13)]);
+}
