@@ -23,6 +23,7 @@ mod figure;
 mod files;
 mod observation;
 pub mod page;
+mod parallel;
 mod pipes;
 mod process;
 pub mod report;
@@ -46,6 +47,7 @@ pub use features::{CRITERIA, Criterion, features_of};
 pub use figure::Figure;
 pub use files::cases;
 pub use observation::{Observation, printable};
+pub use parallel::in_parallel;
 pub use process::{Exit, Implementation, Outcome, RunError};
 pub use runner::Runner;
 #[cfg(feature = "schema")]

@@ -3,9 +3,6 @@
 //! The report does not depend on how many run at once: the cases stand in the order of the corpus.
 
 use std::collections::BTreeSet;
-use std::sync::atomic::{AtomicUsize, Ordering};
-use std::sync::{Mutex, PoisonError};
-use std::thread;
 
 use turnspec_oracle::book::{self, RuleText};
 use turnspec_oracle::vocabulary::RuleId;
@@ -13,6 +10,7 @@ use turnspec_oracle::vocabulary::RuleId;
 use crate::comparison::compare;
 use crate::corpus::FORMAT;
 use crate::explanation::explain;
+use crate::parallel::in_parallel;
 use crate::report::{CaseReport, Report, Ruling, by_rule, verdicts};
 use crate::selection::{Filter, reason_to_skip};
 use crate::{
@@ -49,41 +47,12 @@ impl Runner<'_> {
         finished: &(dyn Fn(&CaseReport) + Sync),
     ) -> Result<Report, RunError> {
         let book = book::e100l().map_err(RunError::Start)?;
-        let results: Vec<Mutex<Option<CaseReport>>> = exercises.iter().map(|_| Mutex::new(None)).collect();
-        let failure = Mutex::new(None);
-        let next = AtomicUsize::new(0);
-        let work = || {
-            loop {
-                let index = next.fetch_add(1, Ordering::Relaxed);
-                let (Some(exercise), Some(result)) = (exercises.get(index), results.get(index)) else {
-                    return;
-                };
-                match self.case(exercise, &book) {
-                    Ok(report) => {
-                        finished(&report);
-                        *result.lock().unwrap_or_else(PoisonError::into_inner) = Some(report);
-                    }
-                    Err(error) => {
-                        // Nobody takes another case.
-                        next.store(exercises.len(), Ordering::Relaxed);
-                        failure.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert(error);
-                        return;
-                    }
-                }
-            }
-        };
-        thread::scope(|scope| {
-            for _ in 1..self.jobs.clamp(1, exercises.len().max(1)) {
-                scope.spawn(work);
-            }
-            work();
-        });
-        if let Some(error) = failure.into_inner().unwrap_or_else(PoisonError::into_inner) {
-            return Err(error);
-        }
-        let cases =
-            results.into_iter().filter_map(|each| each.into_inner().unwrap_or_else(PoisonError::into_inner));
-        Ok(self.report(cases.collect()))
+        let cases = in_parallel(self.jobs, exercises, |exercise| {
+            let report = self.case(exercise, &book)?;
+            finished(&report);
+            Ok::<_, RunError>(report)
+        })?;
+        Ok(self.report(cases))
     }
 
     fn case(&self, exercise: &Exercise, book: &[RuleText]) -> Result<CaseReport, RunError> {

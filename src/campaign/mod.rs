@@ -9,7 +9,6 @@
 
 mod finding;
 mod judgement;
-mod pool;
 mod reduction;
 mod report;
 mod signature;
@@ -22,12 +21,11 @@ pub use state::{Campaign, StateError};
 
 use std::path::Path;
 
-use turnspec_conformance::{Declaration, Implementation, RunError};
+use turnspec_conformance::{Declaration, Implementation, RunError, in_parallel};
 use turnspec_generator::{Case, Profile, case_from_seed_within};
 use turnspec_oracle::vocabulary::Feature;
 
 use judgement::{Disagreement, Judgement, judge};
-use pool::in_parallel;
 use reduction::reduced;
 
 /// Runs that are shared among the threads before their results are taken.

@@ -1,17 +1,15 @@
 //! `fuzz`: a campaign of generated programs against another implementation.
 
-use std::fs;
 use std::io::{BufWriter, Write, stdout};
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
-use std::time::Duration;
 
 use indicatif::{ProgressBar, ProgressStyle};
 use turnspec::campaign::{self, Campaign, Finding, Group, Plan};
-use turnspec_conformance::{Declaration, Implementation, RunError};
+use turnspec_conformance::RunError;
 
 use super::book::Book;
-use super::conform::{interrupt, seconds};
+use super::implementation::UnderTest;
 use super::{Failure, Verdict, exit_status};
 
 /// Rules of a finding that are shown, the most likely ones to be broken.
@@ -31,12 +29,8 @@ const RULES_SHOWN: usize = 4;
     exit_status!()
 ))]
 pub struct Arguments {
-    /// The command that runs the implementation; split as a shell would, but no shell is started.
-    #[arg(long = "impl", value_name = "COMMAND")]
-    implementation: String,
-    /// What the implementation declares; without it, everything, and exact.
-    #[arg(long, value_name = "FILE")]
-    declare: Option<PathBuf>,
+    #[command(flatten)]
+    under_test: UnderTest,
     /// Where the programs come from: the same seed, the same programs.
     #[arg(long, value_name = "S", default_value_t = 1)]
     seed: u64,
@@ -46,26 +40,17 @@ pub struct Arguments {
     /// Where the campaign and its findings are kept.
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
-    /// How many programs at a time; without it, as many as there are processors.
-    #[arg(long, value_name = "N")]
-    jobs: Option<NonZeroUsize>,
     /// Stop at this number of findings.
     #[arg(long, value_name = "N")]
     max_findings: Option<NonZeroUsize>,
-    /// Seconds that one program may take.
-    #[arg(long, value_name = "SECONDS", default_value = "10", value_parser = seconds)]
-    timeout: Duration,
 }
 
 /// Carries out the campaign.
 pub fn carry_out(arguments: &Arguments) -> Result<Verdict, Failure> {
-    let implementation = Implementation::new(&arguments.implementation)
-        .map_err(|error| Failure::about("--impl", error))?
-        .with_time_out(arguments.timeout)
-        .with_interrupt(interrupt()?);
-    let (declaration, text) = declaration(arguments)?;
+    let implementation = arguments.under_test.implementation()?;
+    let (declaration, text) = arguments.under_test.declaration()?;
     let directory = arguments.out.as_deref();
-    let mut campaign = Campaign::new(&arguments.implementation, &text, arguments.seed);
+    let mut campaign = Campaign::new(&arguments.under_test.command, &text, arguments.seed);
     if let Some(directory) = directory {
         campaign = campaign.resumed(directory).map_err(|error| Failure::Usage(error.to_string()))?;
     }
@@ -74,7 +59,7 @@ pub fn carry_out(arguments: &Arguments) -> Result<Verdict, Failure> {
         declaration: &declaration,
         seed: arguments.seed,
         runs: arguments.runs,
-        jobs: arguments.jobs.or_else(|| std::thread::available_parallelism().ok()).map_or(1, usize::from),
+        jobs: arguments.under_test.jobs(),
         max_findings: arguments.max_findings.map_or(0, usize::from),
     };
     let bar = bar(arguments.runs, campaign.done);
@@ -99,16 +84,6 @@ fn failure_of(failure: &campaign::Failure, done: u64, directory: Option<&Path>) 
         (campaign::Failure::Run(error), _) => Failure::about("--impl", error),
         (campaign::Failure::State(error), _) => Failure::Usage(error.to_string()),
     }
-}
-
-/// The declaration and its text.
-fn declaration(arguments: &Arguments) -> Result<(Declaration, String), Failure> {
-    let Some(path) = &arguments.declare else {
-        return Ok((Declaration::of_everything(&arguments.implementation), String::new()));
-    };
-    let text = fs::read_to_string(path).map_err(|error| Failure::about(path.display(), error))?;
-    let declaration = Declaration::from_toml(&text).map_err(|error| Failure::about(path.display(), error))?;
-    Ok((declaration, text))
 }
 
 /// A bar on standard error, on a terminal only.

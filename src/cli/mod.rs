@@ -13,6 +13,7 @@ mod explain;
 mod failure;
 mod format;
 mod fuzz;
+mod implementation;
 mod input;
 mod lockstep;
 mod machine;

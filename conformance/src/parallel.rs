@@ -1,13 +1,13 @@
 //! Work shared among threads, with its results in order.
 
-use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::{Mutex, PoisonError};
 
 /// The results of some work on each item, in the order of the items.
 ///
 /// # Errors
 /// The error of the first item, in their order, that was found to fail; the threads stop at it.
-pub(super) fn in_parallel<T: Sync, R: Send, E: Send>(
+pub fn in_parallel<T: Sync, R: Send, E: Send>(
     jobs: usize,
     items: &[T],
     work: impl Fn(&T) -> Result<R, E> + Sync,
@@ -25,12 +25,12 @@ pub(super) fn in_parallel<T: Sync, R: Send, E: Send>(
                     if result.is_err() {
                         has_failed.store(true, Ordering::Relaxed);
                     }
-                    results.lock().unwrap_or_else(std::sync::PoisonError::into_inner).push((place, result));
+                    results.lock().unwrap_or_else(PoisonError::into_inner).push((place, result));
                 }
             });
         }
     });
-    let mut results = results.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner);
+    let mut results = results.into_inner().unwrap_or_else(PoisonError::into_inner);
     results.sort_by_key(|(place, _)| *place);
     results.into_iter().map(|(_, result)| result).collect()
 }
