@@ -136,11 +136,7 @@ class Motion:
         self.frame, self.limits, self.v = run.frame(), run.limits, run.nose()[1]
         self.nose = self.tip = None
         self.compensated = run.modes["compensation"] != "G40"
-        self.fields, self.rules = {}, []
-        if kind != "rapid":
-            if run.feed is None:
-                raise Alarm("no_feed", "G01-03", place)
-            self.fields["f"] = run.feed
+        self.fields, self.rules = ({} if kind == "rapid" else {"f": run.feed}), []
 
     def settle(self, relative, v):
         """The nose centre, given relative to P, and with it the tip (NRC-07)."""
@@ -163,6 +159,8 @@ def number(value):
 
 class Run:
     def __init__(self, program, setup):
+        if "readings" in setup:
+            raise Unsupported("readings")
         self.setup, self.trace, self.held = setup, [], []
         self.modes = {"motion": "G00", "plane": "G18", "dimension": "G90", "feed_unit": "G95",
                       "compensation": "G40"}
@@ -250,15 +248,14 @@ class Run:
         if element.too_small():
             raise Alarm("compensation_arc_too_small", "NRC-48", self.place)
         if self.pending is None and self.last is not None:      # NRC-46: the extra motion
-            kind, place = self.extra
-            motion = Motion(self, kind, add(self.machine, self.frame(), -1), place)
-            motion.point, motion.rules = self.last_point, ["NRC-46"]
-            motion.frame, motion.limits = self.last_frame, self.limits
+            motion, place = self.extra, self.extra.place
             relative, rules = self.common(self.last, element, place)
             old = contact(self.last)
             if any(latch(p) != latch(q) for p, q in zip((relative[0], 2 * relative[1]), (old[0], 2 * old[1]))):
+                if motion.kind == "linear" and not motion.fields["f"]:
+                    raise Alarm("no_feed", "G01-03", place)
                 motion.settle(relative, self.last.v)
-                motion.rules += rules
+                motion.rules = ["NRC-46"] + rules
                 self.held.insert(0, (motion,))
             self.release()
         elif self.after == "start" and self.imaginary is None:
@@ -289,6 +286,8 @@ class Run:
         words = re.findall(r"([A-Z])\s*=?\s*([+-]?[\d.]+)", body)
         if "".join(a + b for a, b in words) != re.sub(r"[\s=]", "", body):
             raise Unsupported(body)
+        if not {a for a, _ in words} <= set("GMXZCIKLFST") or ("M", "100") in words:
+            raise Unsupported(body)
         g = ["G%02d" % int(v) for a, v in words if a == "G"]
         m = ["M%02d" % int(v) for a, v in words if a == "M"]
         w = {a: D(v) for a, v in words if a not in "GM"}
@@ -303,10 +302,14 @@ class Run:
                 modes[group] = code
             elif code not in shots and code != "G22":
                 raise Unsupported(code)
+        if any(len(set(codes.split()) & set(g)) > 1 for codes in groups.values()):
+            raise Unsupported("two codes of a group")
         now = modes["compensation"]
         start, cancel = before == "G40" != now, now == "G40" != before
         self.compensating = before != "G40"     # events of this block are held
         self.check(g, w, modes, shots, start, cancel, before)
+        if "G50" in g and {"X", "Z", "C"} & set(w) or {"G22", "G28"} & set(g):
+            raise Unsupported("one-shot code")
         for code in g:
             for group, codes in groups.items():
                 if code in codes.split() and self.modes[group] != code:
@@ -336,7 +339,9 @@ class Run:
         """A block without X and Z motion counts (NRC-22, NRC-43, NRC-44)."""
         if before != "G40" and now != "G40" and not self.moved:
             self.idle += 1
-            self.extra = ("rapid" if motion_mode == "G00" else "linear", self.place)
+            kind = "rapid" if motion_mode == "G00" else "linear"
+            z, x = sub(self.machine, self.frame())
+            self.extra = Motion(self, kind, (z, x), self.place)     # NRC-46, should it be needed
             if self.pending and self.idle == 2:
                 if self.after == "start":
                     raise Alarm("compensation_start_up", "NRC-22", self.pending.place)
@@ -368,10 +373,11 @@ class Run:
         if "G22" in g and (before != "G40" or modes["compensation"] != "G40" or self.leaving):
             raise Alarm("unspecified", "NRC-81", place, "G22")
 
-    def mode(self, group, code, reset=False):
-        rule = {"compensation": "NRC-01", "plane": "CRC-01"}.get(group)
-        self.emit("mode", {"group": group, "code": code, "previous": self.modes[group]},
-                  [rule] if rule else [], self.place)
+    def mode(self, group, code):
+        rules = {"compensation": ["NRC-01"], "plane": ["CRC-01"]}.get(group, [])
+        if {code, self.modes[group]} == {"G41", "G42"}:
+            rules = rules + ["NRC-61"]
+        self.emit("mode", {"group": group, "code": code, "previous": self.modes[group]}, rules, self.place)
         self.modes[group] = code
 
     def tool(self, value):
@@ -444,11 +450,19 @@ class Run:
         elif cancel:
             m.rules.append("NRC-66")
         self.leaving, cancel = False, False
-        self.machine = add(m.point, m.frame)
+        z, x = add(m.point, m.frame)
+        for axis, c in (("x", x), ("z", z)):
+            if c < D(str(self.limits.get(axis, {}).get("negative", -10**9))):
+                raise Alarm("travel_limit_negative", "LIM-02", self.place)
+        x = min(x, D(str(self.limits.get("x", {}).get("positive", 10**9))))
+        z = min(z, D(str(self.limits.get("z", {}).get("positive", 10**9))))
+        self.machine, m.point = (z, x), sub((z, x), m.frame)
         self.trace.append(self.shown(m))
 
     def event(self, e):
         m = Motion(self, e.kind, (e.end[0], 2 * e.end[1]), self.place)
+        if e.kind != "rapid" and self.feed is None:
+            raise Alarm("no_feed", "G01-03", self.place)
         if e.centre:
             m.fields.update(sense="ccw" if e.sigma > 0 else "cw", cx=number(2 * e.centre[1]), cz=number(e.centre[0]))
         return m
@@ -480,7 +494,7 @@ class Run:
         m = self.event(e)
         m.rules += {"rapid": ["NRC-41"], "arc": ["NRC-48", "NRC-60"]}.get(e.kind, [])
         self.meet(e)
-        self.last, self.last_point, self.last_frame = e, m.point, m.frame
+        self.last = e
         self.hold(m, "element", v)
 
     def repeat(self, e):
@@ -510,14 +524,18 @@ class Run:
         base = (z, x) if self.modes["dimension"] == "G91" else (D(0), D(0))
         ez = base[0] + w["Z"] if "Z" in w else z
         ex = base[1] + w["X"] if "X" in w else x
+        if max(abs(ez), abs(ex)) > D("99999.999"):
+            raise Alarm("coordinate_range", "ADDR-01", self.place)
         start, end = (z, x / 2), (ez, ex / 2)
         code = self.modes["motion"]
         if shots:
+            if self.setup.get("parameters", {}).get("chamfering") != "basic":
+                raise Unsupported("any-angle chamfer")
             return self.chamfer(start, end, w["L"], shots[0], "X" in w)
         if code in ("G00", "G01"):
             return [Element(LINES[int(code[2])], start, end)]
         if "L" in w:
-            raise Unsupported("L")
+            raise Unsupported("arc by radius")
         centre = (z + w.get("K", D(0)), x / 2 + w.get("I", D(0)))
         if abs(length(sub(start, centre)) - length(sub(end, centre))) > D("0.02"):
             raise Alarm("arc_radius_mismatch", "CIRC-11", self.place)

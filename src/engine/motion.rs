@@ -135,6 +135,8 @@ impl Interpreter<'_> {
             machine: self.position(end[X], end[Z], |axis| end[axis]),
             c_travel: turn.map(|turn| Angle(turn.travel)),
             speed: None,
+            tip: None,
+            nose: None,
         };
         if self.state.constant_speed {
             let choice = self.spindle_speed(program_x);

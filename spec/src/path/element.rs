@@ -105,6 +105,8 @@ pub fn go(target: Amounts, axes: Axes, beyond: Beyond, state: &mut State) -> Out
         program: position(program, c_joined, w_axis),
         machine: position(machine, c_joined, w_axis),
         c_travel: axes.c.map(Angle),
+        tip: None,
+        nose: None,
         speed: None,
     };
     Ok((motion, replaced))
