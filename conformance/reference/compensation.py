@@ -373,8 +373,8 @@ class Run:
         if "G22" in g and (before != "G40" or modes["compensation"] != "G40" or self.leaving):
             raise Alarm("unspecified", "NRC-81", place, "G22")
 
-    def mode(self, group, code):
-        rules = {"compensation": ["NRC-01"], "plane": ["CRC-01"]}.get(group, [])
+    def mode(self, group, code, plane_rule="CRC-01"):
+        rules = {"compensation": ["NRC-01"], "plane": [plane_rule]}.get(group, [])
         if {code, self.modes[group]} == {"G41", "G42"}:
             rules = rules + ["NRC-61"]
         self.emit("mode", {"group": group, "code": code, "previous": self.modes[group]}, rules, self.place)
@@ -396,7 +396,7 @@ class Run:
         if code in ("M109", "M110"):
             self.joined = code == "M110"
             if code == "M109" and self.modes["plane"] != "G18":
-                self.mode("plane", "G18")
+                self.mode("plane", "G18", "CRC-03")
 
     def motion(self, w, g, shots, start, cancel):
         """Step 7."""
@@ -406,6 +406,10 @@ class Run:
             self.emit("dwell", {"time": number(w["F"])}, [], self.place)
         elements = self.elements(w, shots) if self.moved else []
         if cancel:
+            for e in elements:
+                self.event(e)       # its own tests come before the end of the pending motion
+            if "C" in w and not self.moved and not self.joined:
+                raise Alarm("c_axis_not_joined", "CAX-02", self.place)
             if self.pending:
                 self.cancel(w)
             self.compensating = False
@@ -442,11 +446,11 @@ class Run:
 
     def plain(self, e, cancel):
         """A motion in G40: the tip goes to P (NRC-06, NRC-66, NRC-71)."""
+        if self.leaving and not cancel and e.centre and self.axes != self.machine:
+            raise Alarm("unspecified", "NRC-71", self.place, "arc")
         m = self.event(e)
         if self.leaving and not cancel:
             m.rules.append("NRC-71")
-            if e.centre and self.axes != self.machine:
-                raise Alarm("unspecified", "NRC-71", self.place, "arc")
         elif cancel:
             m.rules.append("NRC-66")
         self.leaving, cancel = False, False
@@ -499,9 +503,9 @@ class Run:
 
     def repeat(self, e):
         """NRC-45: a block repeats the present point."""
+        m = self.event(e)
         if self.after == "start" and self.pending:
             raise Alarm("compensation_start_up", "NRC-21", self.pending.place)
-        m = self.event(e)
         if self.pending:
             self.end_in_contact("NRC-45")
         self.release()
@@ -561,7 +565,7 @@ class Run:
         for group, value in (("motion", "G00"), ("dimension", "G90"), ("feed_unit", "G95"),
                              ("compensation", "G40"), ("plane", "G18")):
             if self.modes[group] != value:
-                self.mode(group, value)
+                self.mode(group, value, "CRC-04")
         self.trace.append(("end", {"code": code}, [], self.place))
 
 
