@@ -74,6 +74,7 @@ chapters! {
     "e100l/chamfers.md"
     "e100l/angles.md"
     "e100l/compensation.md"
+    "e100l/compensation-waiting.md"
     "e100l/compensation-entry.md"
     "e100l/compensation-corners.md"
     "e100l/compensation-arcs.md"
