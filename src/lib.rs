@@ -1,4 +1,8 @@
 //! The fast interpreter of CNC lathe programs, cross-checked against the reference semantics.
 
+#[cfg(feature = "cli")]
+pub mod audit;
+#[cfg(feature = "cli")]
+pub mod campaign;
 pub mod differential;
 pub mod engine;

@@ -1,17 +1,19 @@
 //! What a conformance case is, and when a trace satisfies it.
 
 use serde::{Deserialize, Serialize};
+use serde_json::{Map, Value};
 use turnspec_oracle::vocabulary::notation::Expectation;
 use turnspec_oracle::vocabulary::{Control, Event, Feature, RuleId, Setup, SetupError};
 
-use crate::{Figure, Flag};
+use crate::{Figure, Flag, bytes_of_text};
 
 /// One conformance case.
 #[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct Case {
-    /// Permanent name: the control and the name of the file, such as `e100l/s3-g75-anyangle`.
+    /// Permanent name: `e100l/s3-g75-anyangle`, or, of an example in a rule's text, the rule and the number of
+    /// the example: `e100l/rules/E100L-G50-02/1`.
     pub id: String,
     /// What the case shows, in one line.
     pub title: String,
@@ -30,11 +32,13 @@ pub struct Case {
     pub basis: Basis,
     /// What was repaired in, or added to, the printed program, in one sentence.
     pub repairs: String,
-    /// The part program; lines end with LF.
+    /// The part program, one character a byte (U+0000 to U+00FF); lines end with LF.
     pub program: String,
     /// The set-up; same structure as a set-up file, every field optional.
-    pub setup: Setup,
-    /// The expected trace in compact notation, one line an event, every event.
+    #[cfg_attr(feature = "schema", schemars(with = "Setup"))]
+    pub setup: Map<String, Value>,
+    /// The expected trace in compact notation, one line an event. A line `...` stands for any number of
+    /// events; without such a line every event is there.
     pub expect: Vec<String>,
     /// The figures that the manual itself prints.
     pub stated: Vec<Figure>,
@@ -59,13 +63,22 @@ impl Case {
     /// The set-up, with its values checked.
     ///
     /// # Errors
-    /// Names the first field that is impossible, or the control that differs from the case's.
+    /// Names the first field that is unknown or impossible, or the control that differs from the case's.
     pub fn setup(&self) -> Result<Setup, SetupError> {
-        self.setup.validate()?;
-        if self.setup.control != self.control {
-            return Err(SetupError { message: "the set-up is for another control".to_owned(), span: None });
+        let fault = |message: String| SetupError { message, span: None };
+        let setup: Setup = serde_json::from_value(Value::Object(self.setup.clone()))
+            .map_err(|error| fault(error.to_string()))?;
+        setup.validate()?;
+        if setup.control != self.control {
+            return Err(fault("the set-up is for another control".to_owned()));
         }
-        Ok(self.setup.clone())
+        Ok(setup)
+    }
+
+    /// The bytes of the program; `None` when it has a character above U+00FF.
+    #[must_use]
+    pub fn program_bytes(&self) -> Option<Vec<u8>> {
+        bytes_of_text(&self.program)
     }
 
     /// Compares a trace with the expected one, and with the figures that the manual prints.

@@ -1,7 +1,7 @@
 //! Every case is well formed, and both implementations satisfy it.
 
-use turnspec_conformance::{Case, Flag, cases};
-use turnspec_oracle::vocabulary::{Event, RuleId, Setup, notation::Expectation};
+use turnspec_conformance::{Case, Flag, cases, features_of};
+use turnspec_oracle::vocabulary::{Event, Feature, RuleId, Setup, notation::Expectation};
 
 type Outcome = Result<(), String>;
 
@@ -28,6 +28,20 @@ fn the_engine_satisfies_every_case() -> Outcome {
     })
 }
 
+#[test]
+fn every_case_lists_the_features_that_it_needs() -> Outcome {
+    report(|case| {
+        let trace = trace(case, |program, setup, mut sink| {
+            turnspec_oracle::run(program, setup, &mut sink);
+        })?;
+        let setup = case.setup().map_err(|error| error.to_string())?;
+        let features: Vec<Feature> =
+            features_of(case.program.as_bytes(), &setup, &trace).into_iter().collect();
+        let names: Vec<&str> = features.iter().map(|feature| feature.as_str()).collect();
+        ensure(features == case.features, &format!("the features are {names:?}"))
+    })
+}
+
 /// Applies a check to every case; all failures are reported together.
 fn report(check: impl Fn(&Case) -> Outcome) -> Outcome {
     let cases = cases()?;
@@ -43,7 +57,8 @@ fn report(check: impl Fn(&Case) -> Outcome) -> Outcome {
 fn trace(case: &Case, run: impl FnOnce(&[u8], &Setup, &mut dyn FnMut(&Event))) -> Result<Vec<Event>, String> {
     let mut events = Vec::new();
     let setup = case.setup().map_err(|error| error.to_string())?;
-    run(case.program.as_bytes(), &setup, &mut |event: &Event| events.push(*event));
+    let program = case.program_bytes().ok_or("the program has a character above U+00FF")?;
+    run(&program, &setup, &mut |event: &Event| events.push(*event));
     Ok(events)
 }
 

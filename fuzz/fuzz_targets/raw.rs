@@ -3,13 +3,4 @@
 
 #![no_main]
 
-use libfuzzer_sys::fuzz_target;
-use turnspec::differential::compare;
-use turnspec_generator::Case;
-
-fuzz_target!(|bytes: &[u8]| {
-    let case = Case::from_raw(bytes);
-    if let Err(disagreement) = compare(&case.program, &case.setup) {
-        panic!("{disagreement}\n{}\n{:?}", case.program.escape_ascii(), case.setup);
-    }
-});
+libfuzzer_sys::fuzz_target!(|input: &[u8]| turnspec_properties::assert_holds("raw", input));

@@ -1,7 +1,10 @@
 //! Turns a statement into a model-checking harness and a property test.
+//!
+//! The doc comment of a statement is its theorem, then a line `Of:` with the functions that it is about, a line
+//! `Assumes:` with its bounds, and a line `Rules:` with the rules that it supports. `#[unwind(n)]` bounds the loops
+//! for the model checker, at least one more than the longest loop turns.
 
-/// Statements that hold. `#[unwind(n)]` bounds the loops for the model checker, one more than the longest
-/// loop turns.
+/// Statements that hold.
 macro_rules! theorems {
     ($($(#[doc = $doc:literal])+ #[unwind($unwind:literal)] fn $name:ident() $body:block)+) => {
         $(

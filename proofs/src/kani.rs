@@ -7,6 +7,8 @@ use std::panic::{AssertUnwindSafe, UnwindSafe, catch_unwind, resume_unwind};
 
 /// Samples that a statement is tried with.
 const SAMPLES: u64 = 4096;
+/// Samples that have to meet the assumptions of a statement.
+const LEAST: usize = 64;
 
 thread_local! {
     static STATE: Cell<u64> = const { Cell::new(0) };
@@ -32,6 +34,23 @@ pub fn assume(condition: bool) {
     }
 }
 
+/// Draws a number between two bounds, both included: the bounds and their neighbours, numbers near zero, or any.
+#[must_use]
+pub fn between(low: i128, high: i128) -> i128 {
+    let span = high.wrapping_sub(low).cast_unsigned();
+    let [kind, near, ..] = next().to_le_bytes();
+    let near = i128::from(near % 4);
+    let value = match kind % 8 {
+        0 => low.saturating_add(near),
+        1 => high.saturating_sub(near),
+        2 => near - 2,
+        3 | 4 => i128::any() % high.max(1),
+        _ if span == u128::MAX => i128::any(),
+        _ => low.wrapping_add((u128::any() % (span + 1)).cast_signed()),
+    };
+    value.clamp(low, high)
+}
+
 /// Notes whether a situation was met; a statement whose situations are never met is tested in vain.
 pub fn note_cover(condition: bool, situation: &'static str) {
     COVERED.with_borrow_mut(|covered| *covered.entry(situation).or_default() |= condition);
@@ -49,13 +68,18 @@ pub use crate::cover;
 /// Tries a statement that holds.
 ///
 /// # Panics
-/// When a sample refutes it, or when one of its situations was never met.
+/// When a sample refutes it, when one of its situations was never met, or when hardly a sample meets its
+/// assumptions.
 pub fn holds(statement: fn()) {
+    let mut held = 0;
     for outcome in samples(statement) {
-        if let Outcome::Refuted(counterexample) = outcome {
-            resume_unwind(counterexample);
+        match outcome {
+            Outcome::Refuted(counterexample) => resume_unwind(counterexample),
+            Outcome::Held => held += 1,
+            Outcome::Abandoned => {}
         }
     }
+    assert!(held >= LEAST, "only {held} samples meet the assumptions");
     COVERED.with_borrow(|covered| {
         let never: Vec<_> =
             covered.iter().filter(|(_, met)| !**met).map(|(situation, _)| situation).collect();
@@ -76,6 +100,7 @@ struct Abandoned;
 
 enum Outcome {
     Held,
+    Abandoned,
     Refuted(Box<dyn std::any::Any + Send>),
 }
 
@@ -84,8 +109,9 @@ fn samples(statement: impl Fn() + UnwindSafe) -> impl Iterator<Item = Outcome> {
     (0..SAMPLES).map(move |sample| {
         STATE.set(sample);
         match catch_unwind(AssertUnwindSafe(&statement)) {
-            Err(payload) if !payload.is::<Abandoned>() => Outcome::Refuted(payload),
-            _ => Outcome::Held,
+            Ok(()) => Outcome::Held,
+            Err(payload) if payload.is::<Abandoned>() => Outcome::Abandoned,
+            Err(payload) => Outcome::Refuted(payload),
         }
     })
 }
@@ -111,6 +137,51 @@ impl Arbitrary for u8 {
     }
 }
 
+impl Arbitrary for bool {
+    fn any() -> Self {
+        next().is_multiple_of(2)
+    }
+}
+
+/// Unsigned numbers: extremes, neighbours of powers of two, and numbers of every width.
+macro_rules! unsigned {
+    ($($type:ident)*) => {
+        $(impl Arbitrary for $type {
+            fn any() -> Self {
+                let [kind, width, near, ..] = next().to_le_bytes();
+                let width = u32::from(width) % Self::BITS;
+                #[allow(clippy::cast_possible_truncation)]
+                let bits = (u128::from(next()) << 64 | u128::from(next())) as Self;
+                match kind % 16 {
+                    0 => 0,
+                    1 => Self::MAX,
+                    2..=4 => ((1 as Self) << width).wrapping_add(Self::from(near % 5)).wrapping_sub(2),
+                    _ => bits >> width,
+                }
+            }
+        })*
+    };
+}
+unsigned!(u16 u32 u64 usize u128);
+
+/// Signed numbers: those of the unsigned ones, so that both signs, both extremes and every width occur.
+macro_rules! signed {
+    ($($type:ident $unsigned:ident)*) => {
+        $(impl Arbitrary for $type {
+            fn any() -> Self {
+                let bits = $unsigned::any();
+                match next() % 4 {
+                    0 => bits.cast_signed(),
+                    1 => Self::MIN.wrapping_add((bits >> 1).cast_signed()),
+                    2 => (bits >> 1).cast_signed(),
+                    _ => (bits >> 1).cast_signed().wrapping_neg(),
+                }
+            }
+        })*
+    };
+}
+signed!(i8 u8 i32 u32 i64 u64 i128 u128);
+
 impl<const N: usize> Arbitrary for [u8; N] {
     fn any() -> Self {
         std::array::from_fn(|_| u8::any())
@@ -119,7 +190,7 @@ impl<const N: usize> Arbitrary for [u8; N] {
 
 #[cfg(test)]
 mod tests {
-    use super::{any, assume, fails, holds, note_cover};
+    use super::{any, assume, fails, holds, note_cover, samples};
 
     #[test]
     fn an_assumption_abandons_a_sample() {
@@ -133,6 +204,28 @@ mod tests {
     #[test]
     fn a_false_statement_is_refuted() {
         fails(|| assert!(any::<u8>() < 255));
+    }
+
+    #[test]
+    #[should_panic(expected = "only 0 samples")]
+    fn contradictory_assumptions_are_reported() {
+        holds(|| {
+            let value: u8 = any();
+            assume(value < 10);
+            assume(value > 20);
+        });
+    }
+
+    #[test]
+    fn both_extremes_and_zero_are_drawn() {
+        for wanted in [i64::MIN, 0, i64::MAX] {
+            fails_to_avoid(wanted);
+        }
+    }
+
+    fn fails_to_avoid(wanted: i64) {
+        let drawn = samples(|| ()).any(|_| any::<i64>() == wanted);
+        assert!(drawn, "{wanted} is never drawn");
     }
 
     #[test]

@@ -1,4 +1,4 @@
-//! Theorems about small integer helpers.
+//! Theorems about the integer arithmetic of the engine, of the oracle and of the vocabulary.
 //!
 //! Each theorem is one function: a harness for the model checker, which proves it for all inputs within
 //! its bound, and a property test, which samples it wherever `cargo test` runs. Its doc comment is the
@@ -10,9 +10,13 @@
 mod harness;
 #[cfg(all(any(kani, test), stand_in))]
 pub mod kani;
-#[cfg(any(kani, test))]
-pub mod labels;
-#[cfg(any(kani, test))]
-pub mod reading_sets;
-#[cfg(any(kani, test))]
-pub mod rule_sets;
+
+/// Declares the families, which exist for the model checker and for the tests alone.
+macro_rules! families {
+    ($($name:ident)*) => { $(#[cfg(any(kani, test))] pub mod $name;)* };
+}
+
+families! {
+    draw decimals feeds frame labels limits modal places reading_sets roots rounding rule_sets signs speeds tools
+    turns units words
+}

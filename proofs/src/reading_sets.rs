@@ -17,6 +17,9 @@ fn names(set: ReadingSet, reading: Reading) -> bool {
 
 theorems! {
     /// A set of two readings names both of them and no other; no reading is lost to another.
+    /// Of: `ReadingSet::with`, `ReadingSet::iter`
+    /// Assumes: two readings.
+    /// Rules: none (the form of the trace)
     #[unwind(16)]
     fn a_set_names_what_was_put_into_it() {
         let (first, second, other) = (reading(), reading(), reading());
@@ -28,6 +31,9 @@ theorems! {
 
     /// The order of readings does not matter, nor does naming one twice; the union of two sets is the set of
     /// the readings of both.
+    /// Of: `ReadingSet::with`, `ReadingSet::union`
+    /// Assumes: two readings.
+    /// Rules: none (the form of the trace)
     #[unwind(16)]
     fn insertion_and_union_agree() {
         let (first, second) = (reading(), reading());

@@ -62,6 +62,9 @@ fn full_set_without(omitted: usize) -> RuleSet {
 theorems! {
     /// Whatever four rules are put into a set in whatever order, it lists them in the order of the
     /// catalogue, none twice.
+    /// Of: `RuleSet::of`, `RuleSet::as_slice`
+    /// Assumes: four insertions; 24 ids, which stand for all: a set compares them and does nothing else with them.
+    /// Rules: none (the form of the trace)
     #[unwind(26)]
     fn a_set_is_sorted_without_duplicates() {
         let rules = [rule(), rule(), rule(), rule()];
@@ -76,6 +79,9 @@ theorems! {
     }
 
     /// A set with room cites every rule that was put into it, and nothing else.
+    /// Of: `RuleSet::of`, `RuleSet::as_slice`
+    /// Assumes: three insertions; 24 ids, which stand for all: a set compares them and does nothing else with them.
+    /// Rules: none (the form of the trace)
     #[unwind(26)]
     fn a_set_cites_what_was_put_into_it() {
         let (first, second, third, other) = (rule(), rule(), rule(), rule());
@@ -88,6 +94,9 @@ theorems! {
     }
 
     /// The order in which two rules are put into a set does not matter, nor does putting one in twice.
+    /// Of: `RuleSet::with`
+    /// Assumes: three insertions; 24 ids, which stand for all: a set compares them and does nothing else with them.
+    /// Rules: none (the form of the trace)
     #[unwind(26)]
     fn insertion_commutes_and_repeats() {
         let (before, first, second) = (rule(), rule(), rule());
@@ -98,6 +107,9 @@ theorems! {
     }
 
     /// The union of two sets of two rules cites exactly the rules of both, whichever is named first.
+    /// Of: `RuleSet::union`
+    /// Assumes: two rules a set; 24 ids, which stand for all: a set compares them and does nothing else with them.
+    /// Rules: none (the form of the trace)
     #[unwind(26)]
     fn a_union_cites_both_sets() {
         let (one, two) = (RuleSet::of(&[rule(), rule()]), RuleSet::of(&[rule(), rule()]));
@@ -109,6 +121,9 @@ theorems! {
     }
 
     /// A full set takes no further rule, keeps those that it has, and nothing overflows.
+    /// Of: `RuleSet::with`
+    /// Assumes: a set of 23 rules, its capacity; 24 ids, which stand for all: a set compares them and does nothing else with them.
+    /// Rules: none (the form of the trace)
     #[unwind(26)]
     fn a_full_set_stays_as_it_is() {
         let omitted = usize::from(kani::any::<u8>());

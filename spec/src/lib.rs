@@ -10,7 +10,7 @@
 //!
 //! One way through it, a stage a room: `syntax` (text to blocks), `task` (expressions and variables),
 //! `modal` (codes and modes), `path` (motion), `frame` (machine coordinates and limits); `controls` holds the
-//! tables, `quantity` and `real` the numbers.
+//! tables, `integer`, `quantity` and `real` the numbers.
 
 pub mod book;
 mod check;
@@ -18,13 +18,14 @@ mod controls;
 mod emission;
 mod fault;
 mod frame;
+pub mod integer;
 mod modal;
 mod path;
 mod quantity;
 mod real;
 mod run;
 mod state;
-mod syntax;
+pub mod syntax;
 mod task;
 pub mod vocabulary;
 

@@ -42,7 +42,9 @@ fn absolute(points: &[(i64, i64)]) -> String {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(200))]
 
-    /// E100L-ABS-01, E100L-ABS-02: travels that add up to the same points give the same path.
+    /// Travels that add up to the same points give the same path.
+    ///
+    /// Rules: E100L-ABS-01, E100L-ABS-02
     #[test]
     fn absolute_and_incremental_spellings_agree(points in points()) {
         let mut steps = String::new();
@@ -56,7 +58,9 @@ proptest! {
         prop_assert_eq!(one, other);
     }
 
-    /// E100L-G50-02: a shift translates program coordinates and does nothing else.
+    /// A shift translates program coordinates and does nothing else.
+    ///
+    /// Rules: E100L-G50-02
     #[test]
     fn a_zero_shift_only_translates(points in points(), shift in (-9_000..9_000_i64, -9_000..9_000_i64)) {
         let (dx, dz) = shift;
@@ -68,7 +72,9 @@ proptest! {
         prop_assert_eq!(machine(&one), machine(&other));
     }
 
-    /// E100L-CMT-01, E100L-FMT-07, E100L-SEQ-01: comments, blanks and block numbers do not matter.
+    /// Comments, blanks and block numbers do not matter.
+    ///
+    /// Rules: E100L-CMT-01, E100L-FMT-07, E100L-SEQ-01
     #[test]
     fn comments_blanks_and_block_numbers_do_not_matter(points in points(), marks in any::<u32>()) {
         let plain = absolute(&points);
@@ -83,7 +89,9 @@ proptest! {
         prop_assert_eq!(one, other);
     }
 
-    /// E100L-DEC-01: one path in the 1 mm, 10 µm and 1 µm systems.
+    /// One path in the 1 mm, 10 µm and 1 µm systems.
+    ///
+    /// Rules: E100L-DEC-01
     #[test]
     fn unit_systems_agree(points in points()) {
         let one = motions(&format!("G00\n{}M02\n", absolute(&points)), &Setup::default());
@@ -95,8 +103,10 @@ proptest! {
         }
     }
 
-    /// E100L-CIRC-17, E100L-CIRC-18: the centre of an arc by radius is at the radius from both ends, and on
-    /// the side that makes the arc the smaller or the larger one.
+    /// The centre of an arc by radius is at the radius from both ends, and on the side that makes the arc
+    /// the smaller or the larger one.
+    ///
+    /// Rules: E100L-CIRC-17, E100L-CIRC-18
     #[test]
     fn an_arc_by_radius_has_its_centre_at_the_radius(
         end in (-50_000..50_000_i64, -50_000..50_000_i64),
@@ -124,7 +134,9 @@ proptest! {
         prop_assert!(left * expected > -100.0, "{left}");
     }
 
-    /// E100L-ANG-04: a rounding touches both lines: its centre is at the radius from either.
+    /// A rounding touches both lines: its centre is at the radius from either.
+    ///
+    /// Rules: E100L-ANG-04
     #[test]
     fn a_rounding_touches_both_lines(
         corner in (20_000..60_000_i64, 20_000..60_000_i64),
@@ -158,6 +170,8 @@ proptest! {
 
     /// A coordinate that changes by one increment moves a chamfered corner by a bounded amount and changes the
     /// shape of the trace not at all.
+    ///
+    /// Rules: E100L-ANG-03
     #[test]
     fn a_small_change_moves_the_path_a_little(x in 20_000..60_000_i64, z in 20_000..60_000_i64, size in 1..8_000_i64) {
         let of = |x: i64| motions(&format!("G01 F1 G75 X{} Z{} L{}\nX70 Z-20\nM02\n", mm(x), mm(z), mm(size)), &Setup::default());

@@ -1,14 +1,18 @@
 //! The subcommands, and what each of them can come to.
 
+mod answer;
+mod audit;
 mod book;
 mod check;
 mod color;
 mod completions;
+mod conform;
 mod csv;
 mod excerpt;
 mod explain;
 mod failure;
 mod format;
+mod fuzz;
 mod input;
 mod lockstep;
 mod machine;
@@ -59,6 +63,10 @@ enum Command {
     Check(check::Arguments),
     Explain(explain::Arguments),
     Rules(rules::Arguments),
+    Conform(conform::Arguments),
+    Answer(answer::Arguments),
+    Fuzz(fuzz::Arguments),
+    Audit(audit::Arguments),
     Completions(completions::Arguments),
 }
 
@@ -73,6 +81,10 @@ impl Cli {
             Command::Check(arguments) => check::carry_out(&arguments, self.color),
             Command::Explain(arguments) => explain::carry_out(&arguments, self.color),
             Command::Rules(arguments) => rules::carry_out(&arguments),
+            Command::Conform(arguments) => conform::carry_out(&arguments, self.color),
+            Command::Answer(arguments) => answer::carry_out(&arguments),
+            Command::Fuzz(arguments) => fuzz::carry_out(&arguments),
+            Command::Audit(arguments) => audit::carry_out(&arguments),
             Command::Completions(arguments) => completions::carry_out(&arguments),
         }
     }

@@ -5,6 +5,7 @@ use turnspec_oracle::vocabulary::{AlarmName, Place, Sink};
 
 use super::Interpreter;
 use super::fault::Fault;
+use super::planted::{self, Bug};
 use super::words::{Address, Slot, Words};
 
 /// What a block needs from the next one.
@@ -51,7 +52,7 @@ impl Interpreter<'_> {
         let rule = if need.chamfer { ANG_05 } else { ANG_06 };
         let unfit = Fault::new(AlarmName::AngleLookahead, rule);
         let found = self.read(slot);
-        self.fault_place = Some(slot.place);
+        self.fault_place = Some(if planted::is(Bug::AlarmOneBlockEarly) { need.place } else { slot.place });
         let found = found?;
         if !found || slot.parsed.has_assignment {
             self.fault_place = Some(need.place);

@@ -5,20 +5,16 @@ use turnspec_oracle::vocabulary::{AlarmName, IncrementalAfterChamfer, ReadingSet
 
 use super::Interpreter;
 use super::ahead::Need;
+use super::arithmetic::frame::coordinate;
+use super::arithmetic::plane::Point;
 use super::block::Plan;
 use super::cite::{self, Cites};
 use super::exact::{Formula, Real, round};
 use super::fault::Fault;
 use super::motion::{Element, Kind};
+use super::planted::{self, Bug};
 use super::state::{Base, W, X, Z};
 use super::words::{Address, Slot, Words};
-
-/// A point in program coordinates, X as a diameter.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub struct Point {
-    pub x: i64,
-    pub z: i64,
-}
 
 /// What a block says about the end of its line.
 #[derive(Clone, Copy, Debug)]
@@ -43,9 +39,7 @@ impl Course {
 
     /// The coordinates that the words give, counted from a reference point.
     fn coordinates(&self, reference: Point) -> (Option<i64>, Option<i64>) {
-        let from = |reference: i64, word: i64| {
-            if self.incremental { reference.saturating_add(word) } else { word }
-        };
+        let from = |reference: i64, word: i64| coordinate(reference, word, self.incremental);
         (self.x.map(|x| from(reference.x, x)), self.z.map(|z| from(reference.z, z)))
     }
 
@@ -98,7 +92,7 @@ impl Formula for Taper {
     fn value<R: Real>(&self, precision: R::Precision) -> R {
         let (sine, cosine) = R::sine_cosine(self.angle, precision);
         let along = R::integer(self.along.into(), precision);
-        let two = R::integer(2, precision);
+        let two = R::integer(if planted::is(Bug::TaperRadius) { 1 } else { 2 }, precision);
         let change = if self.to_x {
             along.times(&two).times(&sine).over(&cosine)
         } else {
@@ -177,9 +171,8 @@ impl Interpreter<'_> {
             readings = end.readings;
             self.state.angle_target = end.beyond.map(|point| (point.x, point.z));
         }
-        let w = words.get(Address::W).map(|word| {
-            if self.state.incremental { self.state.program(W).saturating_add(word) } else { word }
-        });
+        let w =
+            words.get(Address::W).map(|word| coordinate(self.state.program(W), word, self.state.incremental));
         let turns = words.get(Address::QA);
         let c_word = words.get(Address::C);
         let c = (turns.is_some() || c_word.is_some()).then(|| (c_word, turns.unwrap_or_default()));
@@ -217,7 +210,9 @@ impl Interpreter<'_> {
                 reference = corner;
                 (end.x, end.z) = (true, true);
             } else {
-                if self.setup.readings.incremental_after_chamfer == IncrementalAfterChamfer::Corner {
+                if self.setup.readings.incremental_after_chamfer == IncrementalAfterChamfer::Corner
+                    && !planted::is(Bug::CornerReading)
+                {
                     reference = corner;
                 }
                 if incremental && (end.x || end.z) {

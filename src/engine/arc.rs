@@ -8,12 +8,15 @@ use turnspec_oracle::vocabulary::rule_ids as rules;
 use turnspec_oracle::vocabulary::{AlarmName, ArcOneCoordinate, ReadingSet, Sense, Sink};
 
 use super::Interpreter;
-use super::angle::Point;
+use super::arithmetic::frame::coordinate;
+use super::arithmetic::plane::{Point, difference, quadrant, square, square_distance};
+use super::arithmetic::root::{half_root, whole_root};
 use super::block::full_circle;
 use super::cite::{self, Cites};
 use super::exact::{Formula, Real, round, sign};
 use super::fault::Fault;
 use super::motion::{Element, Kind};
+use super::planted::{self, Bug};
 use super::words::{Address, Words};
 
 /// An arc that is known but for its rules.
@@ -61,13 +64,11 @@ impl Formula for CentreCoordinate {
 impl Interpreter<'_> {
     /// A block with G02 or G03.
     pub(super) fn arc(&mut self, words: &Words, motion: u16, sink: &mut impl Sink) -> Result<(), Fault> {
-        self.state.base = None;
+        self.state.base = self.state.base.filter(|_| planted::is(Bug::CornerBaseKept));
         let sense = if motion == 2 { Sense::Clockwise } else { Sense::CounterClockwise };
         let start = self.present();
         let incremental = self.state.incremental;
-        let from = |reference: i64, word: i64| {
-            if incremental { reference.saturating_add(word) } else { word }
-        };
+        let from = |reference: i64, word: i64| coordinate(reference, word, incremental);
         let x = words.get(Address::X).map(|word| from(start.x, word));
         let z = words.get(Address::Z).map(|word| from(start.z, word));
         let arc = match (words.get(Address::L), x, z) {
@@ -106,7 +107,8 @@ impl Interpreter<'_> {
     ) -> Result<Arc, Fault> {
         let i = words.get(Address::I).unwrap_or_default();
         let k = words.get(Address::K).unwrap_or_default();
-        let centre = Point { x: start.x.saturating_add(2 * i), z: start.z.saturating_add(k) };
+        let across = if planted::is(Bug::CentreDiameter) { i } else { 2 * i };
+        let centre = Point { x: start.x.saturating_add(across), z: start.z.saturating_add(k) };
         let both_given = words.has(Address::I) && words.has(Address::K);
         let mut cites = cite::CIRC_01
             .and(cite::CIRC_04)
@@ -117,7 +119,7 @@ impl Interpreter<'_> {
         let one = x.is_none() || z.is_none();
         if one {
             cites = cites.and(cite::CIRC_08);
-            readings = self.known.arc;
+            readings = if planted::is(Bug::ArcReading) { ReadingSet::default() } else { self.known.arc };
         }
         if one && self.setup.readings.arc_one_coordinate == ArcOneCoordinate::Quadrant {
             let end = quadrant_end(centre, (-k, -i), x, z, sense)
@@ -131,7 +133,8 @@ impl Interpreter<'_> {
         cites = cites.and(cite::CIRC_11);
         let [start_square, end_square] = [start, end].map(|point| square_distance(point, centre));
         let (greater, less) = (start_square.max(end_square), start_square.min(end_square));
-        let tolerance = 2 * i128::from(self.setup.parameters.circular_radius_tolerance.0);
+        let halves = if planted::is(Bug::ToleranceOnDiameter) { 1 } else { 2 };
+        let tolerance = halves * i128::from(self.setup.parameters.circular_radius_tolerance.0);
         if greater != less {
             let gap = RadiusGap { greater, less, tolerance };
             if sign(&gap, &mut self.slow) == Ordering::Greater {
@@ -160,7 +163,8 @@ impl Interpreter<'_> {
             return Fault::raise(AlarmName::ArcRadiusTooSmall, rules::CIRC_16);
         }
         let (across_z, across_x) = difference(end, start);
-        let side = if (sense == Sense::CounterClockwise) == major { -1 } else { 1 };
+        let major_side = major && !(planted::is(Bug::MajorSide) && sense == Sense::Clockwise);
+        let side = if (sense == Sense::CounterClockwise) == major_side { -1 } else { 1 };
         // From the middle of the chord to its left by half of root(high / square) times the chord.
         let mut coordinate = |middle: i128, side: i128, divisor: i128| {
             let formula = CentreCoordinate { middle, side, high, square, divisor };
@@ -178,17 +182,6 @@ impl Interpreter<'_> {
     }
 }
 
-/// From one point to another in half nanometres: along Z and along X.
-pub fn difference(to: Point, from: Point) -> (i128, i128) {
-    (2 * (i128::from(to.z) - i128::from(from.z)), i128::from(to.x) - i128::from(from.x))
-}
-
-/// Square of the distance of two points in half nanometres.
-pub fn square_distance(a: Point, b: Point) -> i128 {
-    let (z, x) = difference(a, b);
-    z * z + x * x
-}
-
 /// The end of an arc with one coordinate inside its starting quadrant (E100L-CIRC-08), if there is one.
 /// The radius vector of the start is in nanometres, along Z and along X.
 fn quadrant_end(
@@ -200,10 +193,9 @@ fn quadrant_end(
 ) -> Option<Point> {
     let turn = if sense == Sense::CounterClockwise { 1 } else { -1 };
     let (start_z, start_x) = (2 * i128::from(start_z), 2 * i128::from(start_x));
-    // On an axis line, the quadrant that the motion enters: the tangent is turn * (-x, z).
-    let side_z = if start_z == 0 { -turn * start_x.signum() } else { start_z.signum() };
-    let side_x = if start_x == 0 { turn * start_z.signum() } else { start_x.signum() };
-    let square = start_z * start_z + start_x * start_x;
+    let entering = if planted::is(Bug::QuadrantOnAxis) { -turn } else { turn };
+    let (side_z, side_x) = quadrant((start_z, start_x), entering);
+    let square = square((start_z, start_x));
     match (x, z) {
         (Some(x), _) => {
             let end_x = i128::from(x) - i128::from(centre.x);
@@ -224,46 +216,9 @@ fn quadrant_end(
     }
 }
 
-/// `origin + side * root(square)`, rounded; a root of a whole number is never at a half.
-fn whole_root(origin: i128, side: i128, square: i128) -> i64 {
-    let size = square.unsigned_abs();
-    let floor = size.isqrt();
-    // root > floor + 1/2 exactly when square > floor^2 + floor.
-    let nearest = floor + u128::from(size > floor * floor + floor);
-    narrow(origin + side * nearest.cast_signed())
-}
-
-/// `(origin + side * root(square)) / 2`, rounded half away from zero, for an even origin.
-fn half_root(origin: i128, side: i128, square: i128) -> i64 {
-    let size = square.unsigned_abs();
-    let floor = size.isqrt();
-    if floor * floor == size {
-        let twice = origin + side * floor.cast_signed();
-        return narrow((twice + twice.signum()) / 2);
-    }
-    narrow(origin / 2 + side * floor.div_ceil(2).cast_signed())
-}
-
-fn narrow(value: i128) -> i64 {
-    i64::try_from(value).unwrap_or(if value < 0 { i64::MIN } else { i64::MAX })
-}
-
 #[cfg(test)]
 mod tests {
-    use super::{Point, Sense, half_root, quadrant_end, whole_root};
-
-    #[test]
-    fn roots_round() {
-        assert_eq!(whole_root(10, -1, 6), 8); // 10 - 2.449
-        assert_eq!(whole_root(10, -1, 7), 7); // 10 - 2.646
-        assert_eq!(half_root(0, 1, 25), 3); // 2.5, away from zero
-        assert_eq!(half_root(0, -1, 25), -3);
-        assert_eq!(half_root(10, -1, 25), 3); // 5 - 2.5 = 2.5
-        assert_eq!(half_root(0, 1, 24), 2); // 2.449
-        assert_eq!(half_root(0, 1, 26), 3); // 2.550
-        assert_eq!(half_root(0, 1, 35), 3); // 2.958
-        assert_eq!(half_root(0, 1, 37), 3); // 3.041
-    }
+    use super::{Point, Sense, quadrant_end};
 
     #[test]
     fn the_starting_quadrant() {

@@ -4,9 +4,12 @@ use turnspec_oracle::vocabulary::rule_ids::*;
 use turnspec_oracle::vocabulary::{Action, AlarmName, Duration, Ending, FrameCause, Label, RuleSet, Sink};
 
 use super::Interpreter;
+use super::arithmetic::speed::thousandths;
+use super::arithmetic::{frame, turn};
 use super::block::{OneShot, Plan};
 use super::fault::Fault;
-use super::state::{C, StoredFeed, TURN, W, X, Z};
+use super::planted::{self, Bug};
+use super::state::{C, StoredFeed, W, X, Z};
 use super::words::{Address, Slot, Words};
 
 impl Interpreter<'_> {
@@ -114,13 +117,11 @@ impl Interpreter<'_> {
                 let mut shifted = false;
                 for (address, axis) in axes {
                     if let Some(word) = words.get(address) {
-                        let change = self.state.program(axis).saturating_sub(word);
-                        let shift = &mut self.state.zero_shift[axis];
-                        *shift = shift.saturating_add(change);
-                        if axis == C {
-                            // Whole turns are taken off toward zero.
-                            *shift %= TURN;
-                        }
+                        let program = self.state.program(axis);
+                        let replaced = planted::is(Bug::ShiftReplaced);
+                        let before = if replaced { 0 } else { self.state.zero_shift[axis] };
+                        let shift = frame::shift_to(before, program, word);
+                        self.state.zero_shift[axis] = if axis == C { turn::shift(shift) } else { shift };
                         shifted = true;
                     }
                 }
@@ -129,7 +130,7 @@ impl Interpreter<'_> {
                     self.emit_word_frame(sink, FrameCause::ZeroShift, RULES);
                 }
                 if let Some(speed) = words.get(Address::S) {
-                    self.state.clamp = Some(speed * 1000);
+                    self.state.clamp = Some(thousandths(speed));
                     self.emit_main_spindle(sink, const { RuleSet::of(&[SMAX_02]) }, false, self.state.clamp);
                 }
             }
@@ -140,7 +141,7 @@ impl Interpreter<'_> {
             OneShot::TorqueLimit => {
                 let percent = |address| words.get(address).and_then(|value| u8::try_from(value).ok());
                 for (slot, address) in self.state.torque.iter_mut().zip([Address::PZ, Address::PW]) {
-                    *slot = percent(address).or(*slot);
+                    *slot = percent(address).or(slot.filter(|_| !planted::is(Bug::TorqueLimitLost)));
                 }
                 let [z, w] = self.state.torque;
                 self.emit(sink, const { RuleSet::of(&[TRQ_01, TRQ_08]) }, Action::Torque { z, w });
@@ -152,7 +153,8 @@ impl Interpreter<'_> {
 
     /// G04: F is a time here.
     fn dwell(&mut self, words: &Words, sink: &mut impl Sink) -> Result<(), Fault> {
-        let unit = self.units.time;
+        let hundredths = planted::is(Bug::DwellUnit) && self.units.time == 100_000;
+        let unit = if hundredths { 10_000 } else { self.units.time };
         if !words.feed.within(unit, 10_000, 9_999_990_000) {
             return Fault::raise(AlarmName::AddressRange, DWELL_02);
         }
@@ -171,9 +173,15 @@ impl Interpreter<'_> {
             }
             1 => {}
             _ => {
-                self.reset(sink);
+                let late = planted::is(Bug::ResetAfterEnd);
+                if !late {
+                    self.reset(sink);
+                }
                 let code = Label::of_code(b'M', code);
                 self.emit(sink, const { RuleSet::of(&[MCODE_04]) }, Action::End { code });
+                if late {
+                    self.reset(sink);
+                }
                 return Some(Ending::End);
             }
         }
@@ -183,12 +191,13 @@ impl Interpreter<'_> {
     /// Reset at the end of the program.
     fn reset(&mut self, sink: &mut impl Sink) {
         let state = &self.state;
+        let droop = state.droop_control && !planted::is(Bug::ResetForgetsDroop);
         let changes = [
             (state.motion != 0, "motion", 0, state.motion, const { RuleSet::of(&[MCODE_04]) }),
             (state.incremental, "dimension", 90, 91, const { RuleSet::of(&[MCODE_04, ABS_01]) }),
             (state.per_minute, "feed_unit", 95, 94, const { RuleSet::of(&[MCODE_04, FEED_01]) }),
             (state.constant_speed, "cutting_speed", 97, 96, const { RuleSet::of(&[MCODE_04]) }),
-            (state.droop_control, "droop", 64, 65, const { RuleSet::of(&[MCODE_04]) }),
+            (droop, "droop", 64, 65, const { RuleSet::of(&[MCODE_04]) }),
         ];
         for (changed, group, code, previous, rules) in changes {
             if changed {

@@ -9,17 +9,16 @@ use turnspec_oracle::vocabulary::{AlarmName, ChamferLeg, Chamfering, ReadingSet,
 
 use super::Interpreter;
 use super::ahead::Need;
-use super::angle::{Course, Point};
-use super::arc::{difference, square_distance};
+use super::angle::Course;
+use super::arithmetic::plane::{self, Direction, Point, difference, square, square_distance};
 use super::block::{OneShot, Plan};
 use super::cite::{self, Cites};
 use super::exact::{Formula, Real, round, sign};
 use super::fault::Fault;
 use super::motion::{Element, Kind};
+use super::planted::{self, Bug};
 use super::state::Base;
 use super::words::{Address, Slot};
-
-type Direction = (i128, i128);
 
 /// What L measures.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -43,11 +42,11 @@ struct Corner {
 
 impl Corner {
     fn cross(&self) -> i128 {
-        self.incoming.0 * self.outgoing.1 - self.incoming.1 * self.outgoing.0
+        plane::cross(self.incoming, self.outgoing)
     }
 
     fn dot(&self) -> i128 {
-        self.incoming.0 * self.outgoing.0 + self.incoming.1 * self.outgoing.1
+        plane::dot(self.incoming, self.outgoing)
     }
 
     /// The distance from the corner to either end of the chamfer. With p = |u1| |u2| and
@@ -82,10 +81,6 @@ impl Corner {
 /// The length of a direction.
 fn length<R: Real>(direction: Direction, precision: R::Precision) -> R {
     R::integer(square(direction), precision).root()
-}
-
-fn square((z, x): Direction) -> i128 {
-    z * z + x * x
 }
 
 /// The reach of a corner less the length that is there for it.
@@ -198,7 +193,7 @@ impl Interpreter<'_> {
         }
         // Amounts on a diameter are twice those on a radius.
         let leg = size.abs() * if along_x { 2 } else { 1 };
-        if travel.abs() < leg {
+        if travel.abs() < leg || planted::is(Bug::ExactFit) && travel.abs() == leg {
             return Fault::raise(AlarmName::ChamferTooShort, rules::CHAM_07);
         }
         let back = leg * travel.signum();
@@ -207,10 +202,11 @@ impl Interpreter<'_> {
             (begin, Point { x: corner.x, z: present.z.saturating_add(size) })
         } else {
             let begin = Point { x: present.x, z: corner.z - back };
-            (begin, Point { x: present.x.saturating_add(2 * size), z: corner.z })
+            let aside = if planted::is(Bug::LegRadius) { size } else { 2 * size };
+            (begin, Point { x: present.x.saturating_add(aside), z: corner.z })
         };
         let kind = if rounding {
-            let left = (travel.signum() * size.signum() > 0) != along_x;
+            let left = (travel.signum() * size.signum() > 0) != (along_x && !planted::is(Bug::RoundingSense));
             let centre =
                 if along_x { Point { x: begin.x, z: finish.z } } else { Point { x: finish.x, z: begin.z } };
             arc_kind(left, centre)
@@ -250,6 +246,7 @@ impl Interpreter<'_> {
         let measure = match (rounding, self.setup.readings.chamfer_leg) {
             (true, _) => Measure::Radius,
             (false, ChamferLeg::Leg) => Measure::Leg,
+            (false, ChamferLeg::Face) if planted::is(Bug::FaceAsLeg) => Measure::Leg,
             (false, ChamferLeg::Face) => Measure::Face,
         };
         let corner = Corner {
@@ -351,7 +348,9 @@ impl Interpreter<'_> {
     fn end_of_next(&mut self, corner: Point) -> Result<Point, Fault> {
         let next = &self.ahead[0];
         let place = next.place;
-        let incremental = Course::mode(&next.words, self.state.incremental);
+        let here = self.state.incremental;
+        let incremental =
+            if planted::is(Bug::NextDimension) { here } else { Course::mode(&next.words, here) };
         let course = Course::of(&next.words, incremental);
         let end = match course.only_angle() {
             None => course.end(corner, corner, &mut self.slow),

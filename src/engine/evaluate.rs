@@ -5,10 +5,13 @@ use turnspec_oracle::vocabulary::rule_ids::*;
 use turnspec_oracle::vocabulary::{Action, AlarmName, InchConversion, Label, RuleId, RuleSet, Sink, Value};
 
 use super::Interpreter;
+use super::arithmetic::round::Rounding;
+use super::arithmetic::tool::ToolWord;
 use super::codes::{self, GGroup, Status};
 use super::fault::Fault;
 use super::functions;
-use super::number::{Number, Rounding};
+use super::number::Number;
+use super::planted::{self, Bug};
 use super::words::{Address, Code, Function, Item, Operand, Operation, Parsed, Slot, Source, Words};
 
 impl Interpreter<'_> {
@@ -30,7 +33,8 @@ impl Interpreter<'_> {
                     words.meet(Address::Calrg);
                 }
                 Item::Common { number, value } => {
-                    let value = self.compute(parsed, value)?.real() + 0.0;
+                    let zero = if planted::is(Bug::NegativeZero) { -0.0 } else { 0.0 };
+                    let value = self.compute(parsed, value)?.real() + zero;
                     if let Some(slot) = self.state.common.get_mut(usize::from(number)) {
                         *slot = value;
                     }
@@ -64,7 +68,8 @@ impl Interpreter<'_> {
             Address::M => return m_word(words, number),
             _ => {}
         }
-        if !words.meet(address) {
+        let passed = planted::is(Bug::DuplicateFeed) && address == Address::F;
+        if !words.meet(address) && !passed {
             return Fault::raise(AlarmName::DuplicateAddress, FMT_06);
         }
         let value = match address {
@@ -115,7 +120,8 @@ impl Interpreter<'_> {
         ranged(number, units.length, if signed { -units.longest } else { 0 }, units.longest, ADDR_01)?;
         let inch_increments = self.setup.readings.inch_conversion == InchConversion::InchIncrement;
         let increment = if units.inch && inch_increments { 2540 } else { 1000 };
-        if units.inch && !number.is_real() {
+        let cut = units.inch && !number.is_real() && !planted::is(Bug::WholeInchRounded);
+        if cut || planted::is(Bug::LengthCut) {
             return Ok(number.cut(units.length, increment));
         }
         Ok(number.rounded(units.length, increment))
@@ -134,8 +140,7 @@ impl Interpreter<'_> {
             return Fault::raise(AlarmName::ToolNumber, TOOL_01);
         }
         let value = number.whole(1, Rounding::HalfAway);
-        let sets = i64::from(options.offset_sets);
-        if value / 10_000 > sets || value % 100 > sets {
+        if !ToolWord::new(value).exists(options.offset_sets) {
             return Fault::raise(AlarmName::ToolNumber, TOOL_03);
         }
         Ok(value)
@@ -184,7 +189,8 @@ impl Interpreter<'_> {
             let result = match *operation {
                 Operation::Constant(value) => value,
                 Operation::Common(number) => {
-                    Operand::Real(self.state.common.get(usize::from(number)).copied().unwrap_or_default())
+                    let place = number - u8::from(planted::is(Bug::VariableIndex) && number >= 100);
+                    Operand::Real(self.state.common.get(usize::from(place)).copied().unwrap_or_default())
                 }
                 Operation::System(variable) => {
                     let suffix = if variable.has_suffix() {

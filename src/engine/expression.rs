@@ -3,10 +3,12 @@
 use turnspec_oracle::vocabulary::AlarmName;
 use turnspec_oracle::vocabulary::rule_ids::*;
 
+use super::arithmetic::digits::Digits;
+use super::arithmetic::scale::TEN;
 use super::fault::Fault;
 use super::items::{Variable, is_extended, local_variable};
-use super::number::TEN;
 use super::parse::{KEYWORDS, Parser, check_digits};
+use super::planted::{self, Bug};
 use super::text::{Class, class};
 use super::words::{Code, Comparison, Function, Operand, Operation};
 
@@ -68,6 +70,7 @@ fn word(name: &[u8]) -> Option<Word> {
         b"NOT" => Word::Not,
         b"AND" => Word::Binary((level::AND, Kind::And)),
         b"OR" => Word::Binary((level::OR, Kind::Or)),
+        b"EOR" if planted::is(Bug::ExclusiveOrBinding) => Word::Binary((level::AND, Kind::ExclusiveOr)),
         b"EOR" => Word::Binary((level::OR, Kind::ExclusiveOr)),
         b"LT" => Word::Binary((level::COMPARISON, Kind::Compare(C::Less))),
         b"LE" => Word::Binary((level::COMPARISON, Kind::Compare(C::LessEqual))),
@@ -157,7 +160,8 @@ impl Parser<'_> {
             if kind.is_boolean() && self.options.level_one {
                 self.block.operations.insert(start, Operation::NeedsBoolean);
             }
-            self.operators(binding + 1)?;
+            let left = !(planted::is(Bug::RightAssociative) && kind == Kind::Subtract);
+            self.operators(binding + u8::from(left))?;
             self.operation(kind.operation());
         }
     }
@@ -216,7 +220,7 @@ impl Parser<'_> {
             self.at += 1;
         }
         self.primary()?;
-        for _ in 0..minus {
+        for _ in 0..if planted::is(Bug::SignsCollapse) { minus.min(1) } else { minus } {
             self.operation(Operation::Negate);
         }
         Ok(())
@@ -238,22 +242,17 @@ impl Parser<'_> {
 
     /// A decimal constant: integer without a point, real with one.
     fn constant(&mut self) -> Result<(), Fault> {
-        let (mut digits, mut written, mut scale, mut point) = (0_i32, 0_u32, 0_usize, false);
+        let mut digits = Digits::default();
         while let Some(byte) = self.peek() {
             match byte {
-                b'0'..=b'9' => {
-                    written += 1;
-                    if written <= 8 {
-                        digits = digits * 10 + i32::from(byte - b'0');
-                        scale += usize::from(point);
-                    }
-                }
-                b'.' if !point => point = true,
+                b'0'..=b'9' => digits.push(byte - b'0'),
+                b'.' if digits.push_point() => {}
                 b'.' => return Fault::raise(AlarmName::NumberMalformed, FMT_01),
                 _ => break,
             }
             self.at += 1;
         }
+        let Digits { value, scale, written, point } = digits;
         if written == 0 {
             return Fault::raise(AlarmName::NumberMalformed, FMT_01);
         }
@@ -261,9 +260,9 @@ impl Parser<'_> {
         #[allow(clippy::cast_precision_loss)]
         let value = if point {
             // Both are exact, so the quotient is rounded once.
-            Operand::Real(f64::from(digits) / TEN[scale.min(8)] as f64)
+            Operand::Real(value as f64 / TEN[usize::from(scale)] as f64)
         } else {
-            Operand::Integer(digits)
+            Operand::Integer(i32::try_from(value).unwrap_or(i32::MAX))
         };
         self.operation(Operation::Constant(value));
         Ok(())
@@ -284,6 +283,7 @@ impl Parser<'_> {
         if written > 8 {
             return Fault::raise(AlarmName::NumberMalformed, MATH_18);
         }
+        let pattern = if planted::is(Bug::HexadecimalSaturates) { pattern.min(0x7FFF_FFFF) } else { pattern };
         self.operation(Operation::Constant(Operand::Integer(pattern.cast_signed())));
         Ok(())
     }

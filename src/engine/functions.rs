@@ -3,9 +3,12 @@
 use turnspec_oracle::vocabulary::rule_ids::*;
 use turnspec_oracle::vocabulary::{AlarmName, RuleId, Setup, UnitSystem};
 
+use super::arithmetic::decimal_code;
+use super::arithmetic::round::Rounding;
 use super::exact::{self, SlowPaths};
 use super::fault::Fault;
-use super::number::{Number, Rounding};
+use super::number::Number;
+use super::planted::{self, Bug};
 use super::words::{Comparison, Function, Operand};
 
 /// The dependence of the functions on the unit system.
@@ -69,7 +72,10 @@ pub fn divide(a: Operand, b: Operand) -> Result<Operand, Fault> {
     if b.real() == 0.0 {
         return Fault::raise(AlarmName::DivisionByZero, AEXP_09);
     }
-    real(a.real() / b.real(), TYPE_10)
+    let quotient = a.real() / b.real();
+    let whole =
+        planted::is(Bug::IntegerQuotient) && matches!((a, b), (Operand::Integer(_), Operand::Integer(_)));
+    real(if whole { quotient.trunc() } else { quotient }, TYPE_10)
 }
 
 /// Unary minus (E100L-TYPE-09).
@@ -85,6 +91,7 @@ pub fn compare(comparison: Comparison, a: Operand, b: Operand) -> Operand {
     fn holds<T: PartialOrd>(comparison: Comparison, a: T, b: T) -> bool {
         match comparison {
             Comparison::Less => a < b,
+            Comparison::LessEqual if planted::is(Bug::LessEqualStrict) => a < b,
             Comparison::LessEqual => a <= b,
             Comparison::Equal => a == b,
             Comparison::NotEqual => a != b,
@@ -127,6 +134,9 @@ pub fn call(function: Function, a: Operand, scales: &Scales, slow: &mut SlowPath
     let domain = |rule| Fault::raise(AlarmName::FunctionDomain, rule);
     match function {
         Function::Sin => real(exact::sine_cosine(a.real() / scales.angle, slow).0, FUNC_03),
+        Function::Cos if planted::is(Bug::CosineBySine) => {
+            real(exact::sine_cosine(a.real() / scales.angle + 90.0, slow).0, FUNC_04)
+        }
         Function::Cos => real(exact::sine_cosine(a.real() / scales.angle, slow).1, FUNC_04),
         Function::Tan => match exact::tangent(a.real() / scales.angle, slow) {
             Some(value) => real(value, FUNC_05),
@@ -138,6 +148,9 @@ pub fn call(function: Function, a: Operand, scales: &Scales, slow: &mut SlowPath
         Function::Abs => real(a.real().abs(), FUNC_09),
         Function::Bin => from_decimal_code(a),
         Function::Bcd => to_decimal_code(a),
+        Function::Round if planted::is(Bug::RoundTiesToEven) => {
+            to_integer(Operand::Real(a.real().round_ties_even()), Rounding::HalfAway)
+        }
         Function::Round => to_integer(a, Rounding::HalfAway),
         Function::Fix => to_integer(a, Rounding::Cut),
         Function::Fup => to_integer(a, Rounding::Up),
@@ -161,12 +174,15 @@ pub fn call_two(
         if b == 0.0 {
             return Fault::raise(AlarmName::DivisionByZero, FUNC_18);
         }
-        return real(a - (a / b).trunc() * b, FUNC_18);
+        let quotient = a / b;
+        let quotient = if planted::is(Bug::ModSign) { quotient.floor() } else { quotient.trunc() };
+        return real(a - quotient * b, FUNC_18);
     }
     if a == 0.0 && b == 0.0 {
         return Fault::raise(AlarmName::FunctionDomain, FUNC_07);
     }
-    real(exact::arc_tangent(a, b, slow) * scales.angle, FUNC_07)
+    let angle = exact::arc_tangent(a, b, slow) * scales.angle;
+    real(if planted::is(Bug::ArcTangentUlp) { angle.next_up() } else { angle }, FUNC_07)
 }
 
 /// ROUND, FIX, FUP: an integer stays as it is.
@@ -197,29 +213,20 @@ fn from_decimal_code(a: Operand) -> Result<Operand, Fault> {
     let Operand::Integer(pattern) = cut(a, FUNC_19)? else {
         return Fault::raise(AlarmName::IntegerOverflow, FUNC_19);
     };
-    let pattern = pattern.cast_unsigned();
-    let mut value = 0;
-    for nibble in (0..8).rev().map(|place| pattern >> (4 * place) & 15) {
-        if nibble > 9 {
-            return Fault::raise(AlarmName::FunctionDomain, FUNC_10);
-        }
-        value = value * 10 + i64::from(nibble);
+    match decimal_code::number(pattern.cast_unsigned()) {
+        Some(value) => integer(value.into(), FUNC_19),
+        None => Fault::raise(AlarmName::FunctionDomain, FUNC_10),
     }
-    integer(value, FUNC_19)
 }
 
 /// BCD: a number of at most eight digits, one a nibble.
 fn to_decimal_code(a: Operand) -> Result<Operand, Fault> {
-    let value = a.number().whole(1, Rounding::Cut);
-    if !(0..=99_999_999).contains(&value) {
-        return Fault::raise(AlarmName::FunctionDomain, FUNC_11);
+    match u32::try_from(a.number().whole(1, Rounding::Cut)) {
+        Ok(value @ 0..=decimal_code::MOST) => {
+            Ok(Operand::Integer(decimal_code::pattern(value).cast_signed()))
+        }
+        _ => Fault::raise(AlarmName::FunctionDomain, FUNC_11),
     }
-    let (mut pattern, mut rest) = (0_u32, value.unsigned_abs());
-    for place in 0..8 {
-        pattern |= u32::try_from(rest % 10).unwrap_or(0) << (4 * place);
-        rest /= 10;
-    }
-    Ok(Operand::Integer(pattern.cast_signed()))
 }
 
 #[cfg(test)]

@@ -3,9 +3,11 @@
 use turnspec_oracle::vocabulary::rule_ids::*;
 use turnspec_oracle::vocabulary::{AlarmName, Label};
 
+use super::arithmetic::digits::Digits;
 use super::fault::Fault;
 use super::number::Number;
 use super::parse::{KEYWORDS, Parser, check_digits};
+use super::planted::{self, Bug};
 use super::system::{Lookup, SystemVariable, lookup};
 use super::text::{Class, class};
 use super::words::{Address, Item, Source};
@@ -145,28 +147,23 @@ impl Parser<'_> {
         let negative = self.peek() == Some(b'-');
         let signed = matches!(self.peek(), Some(b'+' | b'-'));
         self.at += usize::from(signed);
-        let (mut digits, mut written, mut scale, mut point) = (0_i64, 0_u32, 0_u8, false);
+        let mut digits = Digits::default();
         while let Some(byte) = self.peek() {
             match byte {
-                b'0'..=b'9' => {
-                    written += 1;
-                    if written <= 8 {
-                        digits = digits * 10 + i64::from(byte - b'0');
-                        scale += u8::from(point);
-                    }
-                }
-                b'.' if !point => point = true,
+                b'0'..=b'9' => digits.push(byte - b'0'),
+                b'.' if digits.push_point() => {}
                 b'.' => return Fault::raise(AlarmName::NumberMalformed, FMT_01),
                 _ if class(byte) == Class::Ignored => {}
                 _ => break,
             }
             self.at += 1;
         }
+        let Digits { value, scale, written, point } = digits;
         if written == 0 {
             return Fault::raise(AlarmName::NumberMalformed, FMT_01);
         }
-        check_digits(written, point, address == Address::F)?;
-        let digits = if negative { -digits } else { digits };
+        check_digits(written - u32::from(planted::is(Bug::NineDigits)), point, address == Address::F)?;
+        let digits = if negative { -value } else { value };
         Ok(Plain { number: Number::Decimal { digits, scale, point }, written, signed })
     }
 

@@ -6,18 +6,19 @@ use turnspec_oracle::vocabulary::{
 };
 
 use super::Interpreter;
+use super::arithmetic::tool::ToolWord;
 use super::block::Plan;
 use super::codes;
 use super::fault::Fault;
+use super::planted::{self, Bug};
 use super::spindle::answer;
 use super::words::Words;
 
 impl Interpreter<'_> {
     /// T: turret, tool offset, nose radius.
     pub(super) fn change_tool(&mut self, word: i64, moves: bool, sink: &mut impl Sink) -> Result<(), Fault> {
-        let field = |value: i64| u8::try_from(value % 100).unwrap_or(0);
-        let (nose, tool, offset) = (field(word / 10_000), field(word / 100), field(word));
-        let index = tool != 0 && tool != self.state.tool;
+        let ToolWord { nose, tool, offset } = ToolWord::new(word);
+        let index = tool != 0 && (tool != self.state.tool || planted::is(Bug::AlwaysIndexes));
         let mut rules = const { RuleSet::of(&[TOOL_02]) };
         if moves {
             rules = rules.with(TOOL_04);
@@ -30,7 +31,8 @@ impl Interpreter<'_> {
             self.state.tool = tool;
         }
         let before = self.state.active_offset();
-        self.state.offset = offset;
+        self.state.offset =
+            if planted::is(Bug::OffsetOfPreviousTool) && tool == 0 { self.state.offset } else { offset };
         self.emit(sink, rules, Action::Tool { tool, offset, nose, index });
         self.check_time(self.setup.stm.t)?;
         if before != self.state.active_offset() {
@@ -42,7 +44,10 @@ impl Interpreter<'_> {
     /// The time that a function takes, against the limit (E100L-STM-01).
     pub(super) fn check_time(&self, time: Duration) -> Result<(), Fault> {
         let check = &self.setup.stm;
-        if check.enabled && self.state.check_times && time > check.limit {
+        if check.enabled
+            && self.state.check_times
+            && (time > check.limit || planted::is(Bug::TimeLimitInclusive) && time == check.limit)
+        {
             return Fault::raise(AlarmName::StmOver, STM_01);
         }
         Ok(())

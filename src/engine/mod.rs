@@ -7,6 +7,7 @@
 mod ahead;
 mod angle;
 mod arc;
+pub mod arithmetic;
 mod block;
 mod carry;
 mod chamfer;
@@ -23,6 +24,10 @@ mod motion;
 mod names;
 mod number;
 mod parse;
+#[cfg(not(feature = "planted-bugs"))]
+mod planted;
+#[cfg(feature = "planted-bugs")]
+pub mod planted;
 mod spindle;
 mod state;
 mod system;
@@ -39,12 +44,14 @@ use turnspec_oracle::vocabulary::{
 
 pub use exact::SlowPaths;
 
+use arithmetic::span::offset;
+use arithmetic::units::Units;
 use cite::CiteCache;
 use fault::Fault;
 use functions::Scales;
 use names::Names;
-use number::Units;
 use parse::{Options, Parser};
+use planted::Bug;
 use state::State;
 use text::Reader;
 use words::{Operand, Slot};
@@ -115,7 +122,7 @@ impl<'a> Interpreter<'a> {
     pub fn new(program: &'a [u8], setup: &'a Setup) -> Self {
         Self {
             setup,
-            units: Units::new(setup),
+            units: Units::new(setup.unit_system),
             scales: Scales::new(setup),
             options: Options::new(setup),
             known: Known::new(&setup.readings),
@@ -173,7 +180,9 @@ impl<'a> Interpreter<'a> {
             self.ahead.swap(0, 1);
             self.ahead_count -= 1;
             self.place = slot.place;
-            self.inch_block = slot.parsed.has_length && self.units.inch;
+            if !planted::is(Bug::NextInchStale) {
+                self.inch_block = slot.parsed.has_length && self.units.inch;
+            }
         } else {
             let found = self.read(slot);
             self.place = slot.place;
@@ -196,7 +205,6 @@ impl<'a> Interpreter<'a> {
     }
 
     fn read_with(&mut self, slot: &mut Slot, buffer: &mut Vec<u8>) -> Result<bool, Fault> {
-        let offset = |offset: usize| u32::try_from(offset).unwrap_or(u32::MAX);
         while let Some(lines) = self.reader.next_lines() {
             slot.place = Place {
                 program: self.program,
@@ -227,7 +235,8 @@ impl<'a> Interpreter<'a> {
             }
             let sequence = slot.parsed.sequence;
             let name = sequence.as_str().as_bytes().get(1..).unwrap_or_default();
-            if !name.is_empty() && !self.names.insert(name) {
+            let forgotten = planted::is(Bug::SkippedNameForgotten) && slot.parsed.skipped;
+            if !name.is_empty() && !forgotten && !self.names.insert(name) {
                 return Fault::raise(AlarmName::SequenceNameDuplicate, SEQ_03);
             }
             let blank = slot.parsed.items.is_empty() && name.is_empty();

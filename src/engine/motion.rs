@@ -2,15 +2,20 @@
 
 use turnspec_oracle::vocabulary::rule_ids as rules;
 use turnspec_oracle::vocabulary::{
-    Action, AlarmName, Angle, Feed, FeedLength, FeedRate, FeedUnit, Length, Motion, Position, ReadingSet,
-    Sense, Sink, Speed, SpeedLimit,
+    Action, AlarmName, Angle, Feed, FeedRate, FeedUnit, Length, Motion, Position, ReadingSet, Sense, Sink,
+    Speed, SpeedLimit,
 };
 
 use super::Interpreter;
+use super::arithmetic::feed::{self, Measure};
+use super::arithmetic::frame::{coordinate, to_machine};
+use super::arithmetic::limit::{Limited, in_range, limited};
+use super::arithmetic::root::root_over;
+use super::arithmetic::turn;
 use super::cite::{self, Cites};
-use super::exact::root_over;
 use super::fault::Fault;
-use super::state::{Amounts, C, TURN, W, X, Z};
+use super::planted::{self, Bug};
+use super::state::{Amounts, C, W, X, Z};
 use super::words::{Address, Words};
 
 /// The kind of an element.
@@ -59,7 +64,7 @@ impl Interpreter<'_> {
         cite::COORD_03
             .and(if incremental { cite::ABS_02 } else { cite::ABS_01 })
             .and_if(x, cite::DIA_01)
-            .and_if(x && incremental, cite::ABS_03)
+            .and_if(x && incremental && !planted::is(Bug::DiameterRule), cite::ABS_03)
             .and_if(turns || words.has(Address::C), cite::CAX_05)
             .and_if(turns, cite::CAX_06)
             .and_if(self.inch_block, cite::INCH_02)
@@ -81,7 +86,8 @@ impl Interpreter<'_> {
     pub(super) fn feed(&self) -> Result<Feed, Fault> {
         match self.state.feed {
             Some(feed) => {
-                let value = feed.values[usize::from(!self.state.per_minute)];
+                let stale = planted::is(Bug::FeedOfOtherMode) && feed.given != self.state.feed_unit();
+                let value = feed.values[usize::from(self.state.per_minute == stale)];
                 let unit = self.state.feed_unit();
                 let [least, most] = self.units.feeds;
                 // Given in this mode it was tested with its word.
@@ -117,7 +123,7 @@ impl Interpreter<'_> {
         let is_arc = matches!(kind, Kind::Arc { .. });
         for (axis, target) in [(X, x), (Z, z), (W, w)] {
             if let Some(target) = target {
-                let machine = target.saturating_add(self.state.frame(axis));
+                let machine = to_machine(target, self.state.frame(axis));
                 end[axis] = machine;
                 if !limited && self.limit(axis, &mut end[axis], is_arc)? {
                     cites = cites.and(cite::LIM_01);
@@ -128,7 +134,8 @@ impl Interpreter<'_> {
             end[C] = turn.machine;
         }
         self.state.machine = end;
-        self.state.last_motion_cut = feed.is_some();
+        self.state.last_motion_cut =
+            feed.is_some() || planted::is(Bug::CuttingForgotten) && self.state.last_motion_cut;
         let program_x = self.state.program(X);
         let mut motion = Motion {
             program: self.position(program_x, self.state.program(Z), |axis| self.state.program(axis)),
@@ -139,7 +146,8 @@ impl Interpreter<'_> {
             nose: None,
         };
         if self.state.constant_speed {
-            let choice = self.spindle_speed(program_x);
+            let from = start[X] - self.state.frame(X);
+            let choice = self.spindle_speed(if planted::is(Bug::SpeedAtStart) { from } else { program_x });
             motion.speed = Some(Speed(choice.value));
             cites = cites.and(if feed.is_none() { cite::CSS_05 } else { cite::CSS_01 });
             match choice.limit {
@@ -189,18 +197,17 @@ impl Interpreter<'_> {
     /// Applies the limits of an axis to a machine coordinate; true when it was replaced.
     #[inline]
     fn limit(&self, axis: usize, machine: &mut i64, is_arc: bool) -> Result<bool, Fault> {
-        if self.state.negative_limits[axis].is_some_and(|limit| *machine < limit) {
-            return Fault::raise(AlarmName::TravelLimitNegative, rules::LIM_02);
-        }
-        match self.state.positive_limits[axis] {
-            Some(limit) if *machine > limit => {
-                if is_arc {
-                    return Fault::raise(AlarmName::TravelLimitPositive, rules::LIM_01);
-                }
+        match limited(*machine, self.state.negative_limits[axis], self.state.positive_limits[axis]) {
+            Limited::Within if planted::is(Bug::LimitInclusive) => {
+                Ok(self.state.positive_limits[axis] == Some(*machine))
+            }
+            Limited::Within => Ok(false),
+            Limited::AbovePositive(limit) if !is_arc || planted::is(Bug::LimitOfArcs) => {
                 *machine = limit;
                 Ok(true)
             }
-            _ => Ok(false),
+            Limited::AbovePositive(_) => Fault::raise(AlarmName::TravelLimitPositive, rules::LIM_01),
+            Limited::BelowNegative => Fault::raise(AlarmName::TravelLimitNegative, rules::LIM_02),
         }
     }
 
@@ -209,48 +216,39 @@ impl Interpreter<'_> {
         if !self.state.c_joined {
             return Fault::raise(AlarmName::CAxisNotJoined, rules::CAX_02);
         }
-        if self.state.c_clamped {
+        if self.state.c_clamped && !planted::is(Bug::ClampLost) {
             return Fault::raise(AlarmName::CAxisClamped, rules::CAX_07);
         }
         let present = self.state.program(C);
         let target = match target {
             None => present,
-            Some(word) if self.state.incremental => (present + word).rem_euclid(TURN),
-            Some(word) => word.rem_euclid(TURN),
+            Some(word) => turn::within(coordinate(present, word, self.state.incremental)),
         };
-        let travel = if self.state.c_negative {
-            -((present - target).rem_euclid(TURN)) - turns * TURN
-        } else {
-            (target - present).rem_euclid(TURN) + turns * TURN
-        };
-        let machine = target.saturating_add(self.state.frame(C)).rem_euclid(TURN);
+        let negative = self.state.c_negative;
+        let turns = if planted::is(Bug::TurnsOfNegativeSense) && negative { -turns } else { turns };
+        let travel = turn::travel(present, target, turns, negative);
+        let machine = to_machine(target, self.state.frame(C));
+        let machine = if planted::is(Bug::CWrap) { machine } else { turn::within(machine) };
         Ok(Turn { travel, machine })
     }
 
     /// The length on which the feed is measured (E100L-G01-04, E100L-CFEED-03).
     #[inline]
     fn path(&self, start: &Amounts, end: &Amounts, turn: Option<i64>) -> i64 {
-        // No travel comes near 2^55 nanometres, 36 000 km; the bound keeps the squares in range.
-        let square = |axis: usize| {
-            let travel = u128::from(end[axis].abs_diff(start[axis]).min(1 << 55));
-            travel * travel
+        let square = |axis: usize| feed::square(start[axis], end[axis]);
+        let w = if planted::is(Bug::PathWithoutW) { 0 } else { square(W) };
+        let (x, along) = (square(X), square(Z) + w);
+        let Measure { square, divisor } = match turn {
+            Some(travel) => feed::path_with_turn(x, along, travel),
+            None => feed::path(x, along, self.setup.readings.feed_length),
         };
-        let along = square(Z) + square(W);
-        if let Some(travel) = turn {
-            // 500 mm a turn: 25/18 nm a micro-degree.
-            let travel = u128::from(travel.unsigned_abs());
-            return root_over(324 * (square(X) + along) + 625 * travel * travel, 18);
-        }
-        match self.setup.readings.feed_length {
-            FeedLength::Radius => root_over(square(X) + 4 * along, 2),
-            FeedLength::Diameter => root_over(square(X) + along, 1),
-        }
+        root_over(square, divisor)
     }
 
     /// A program coordinate within the range of its address (E100L-ADDR-01).
     #[inline]
     pub(super) fn check_coordinate(&self, target: i64) -> Result<(), Fault> {
-        if target.unsigned_abs() > self.units.longest.unsigned_abs() {
+        if !in_range(target, self.units.longest) {
             return Fault::raise(AlarmName::CoordinateRange, rules::ADDR_01);
         }
         Ok(())

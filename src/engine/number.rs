@@ -2,20 +2,9 @@
 
 use std::cmp::Ordering;
 
-use turnspec_oracle::vocabulary::{Setup, UnitSystem};
-
+use super::arithmetic::round::Rounding;
+use super::arithmetic::scale::{self, TEN};
 use super::exact::Double;
-
-/// Powers of ten.
-pub const TEN: [i64; 19] = {
-    let mut powers = [1_i64; 19];
-    let mut next = 1;
-    while next < 19 {
-        powers[next] = powers[next - 1] * 10;
-        next += 1;
-    }
-    powers
-};
 
 /// A value as written or computed, without rounding.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -66,8 +55,7 @@ impl Number {
     #[inline]
     pub fn compare(self, unit: i64, bound: i64) -> Ordering {
         if let Self::Decimal { digits, scale, .. } = self {
-            let (value, bound) = (i128::from(digits) * i128::from(unit), i128::from(bound));
-            return value.cmp(&(bound * i128::from(TEN[usize::from(scale)])));
+            return scale::compare(digits, scale, unit, bound);
         }
         let Ratio { numerator, tens, twos } = self.ratio();
         let value = numerator.saturating_mul(unit.into());
@@ -90,10 +78,9 @@ impl Number {
     #[inline]
     fn converted(self, unit: i64, increment: i64, rule: Rounding) -> i64 {
         if let Self::Decimal { digits, scale, .. } = self
-            && let Some(value) = digits.checked_mul(unit)
-            && let Some(divisor) = TEN[usize::from(scale)].checked_mul(increment)
+            && let Some(result) = scale::increments(digits, scale, unit, increment, rule)
         {
-            return rule.divide_narrow(value, divisor);
+            return result;
         }
         let Ratio { numerator, tens, twos } = self.ratio();
         let value = numerator.saturating_mul(unit.into());
@@ -106,11 +93,7 @@ impl Number {
             // The bits cut off do not change the quotient, only the rest.
             let quotient = cut / narrow;
             let rest = value.unsigned_abs() - ((u128::from(quotient) * u128::from(narrow)) << twos);
-            let away = match rule {
-                Rounding::HalfAway => 2 * rest >= u128::from(narrow) << twos,
-                Rounding::Cut => false,
-                Rounding::Up => rest != 0,
-            };
+            let away = rule.goes_away(2 * rest >= u128::from(narrow) << twos, rest != 0);
             let size = i64::try_from(quotient + u64::from(away)).unwrap_or(i64::MAX);
             return if value < 0 { -size } else { size };
         }
@@ -133,42 +116,6 @@ impl Number {
     }
 }
 
-/// How a number becomes whole.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Rounding {
-    /// To the nearest, ties away from zero.
-    HalfAway,
-    /// Toward zero.
-    Cut,
-    /// Away from zero.
-    Up,
-}
-
-impl Rounding {
-    /// The quotient by a positive divisor, of narrow numbers.
-    #[inline]
-    fn divide_narrow(self, value: i64, divisor: i64) -> i64 {
-        let (quotient, rest) = (value / divisor, value % divisor);
-        let away = match self {
-            Self::HalfAway => rest.unsigned_abs() >= divisor.unsigned_abs() - rest.unsigned_abs(),
-            Self::Cut => false,
-            Self::Up => rest != 0,
-        };
-        if away { quotient + value.signum() } else { quotient }
-    }
-
-    /// The quotient by a positive divisor.
-    pub fn divide(self, value: i128, divisor: i128) -> i128 {
-        let (quotient, rest) = (value / divisor, value % divisor);
-        let away = match self {
-            Self::HalfAway => rest.unsigned_abs() >= divisor.unsigned_abs() - rest.unsigned_abs(),
-            Self::Cut => false,
-            Self::Up => rest != 0,
-        };
-        if away { quotient + value.signum() } else { quotient }
-    }
-}
-
 /// The quotient of a whole number by a positive one of at most 53 bits as binary64, rounded once.
 #[allow(clippy::cast_precision_loss)]
 pub fn quotient(value: i64, divisor: i64) -> f64 {
@@ -183,57 +130,10 @@ pub fn quotient(value: i64, divisor: i64) -> f64 {
     if value < 0 { -result } else { result }
 }
 
-/// What a written 1 means (E100L-DEC-01) and how far the words reach.
-#[derive(Clone, Copy, Debug)]
-pub struct Units {
-    /// Nanometres of a written length 1.
-    pub length: i64,
-    /// Nanometres of the last digit of a plain metric length with so many decimals, where that is a whole
-    /// number of increments; else 0.
-    pub last_digit: [i64; 9],
-    /// Micro-degrees of a written angle 1.
-    pub angle: i64,
-    /// Picometres of a written feed 1, per minute and per revolution.
-    pub feed: [i64; 2],
-    /// Microseconds of a written time 1.
-    pub time: i64,
-    /// Micrometres per minute of a written cutting speed 1.
-    pub surface: i64,
-    /// Whether lengths are written in inches.
-    pub inch: bool,
-    /// Largest length in nanometres.
-    pub longest: i64,
-    /// Smallest and largest feed in picometres.
-    pub feeds: [i64; 2],
-}
-
-impl Units {
-    /// The units of a set-up.
-    pub fn new(setup: &Setup) -> Self {
-        let (length, angle, feed, time) = match setup.unit_system {
-            UnitSystem::Micrometre => (1000, 1000, [100_000_000, 1_000_000], 10_000),
-            UnitSystem::TenMicrometre => (10_000, 10_000, [1_000_000_000, 10_000_000], 100_000),
-            UnitSystem::Millimetre => (1_000_000, 1_000_000, [1_000_000_000, 1_000_000_000], 1_000_000),
-            UnitSystem::TenThousandthInch => (2540, 1000, [254_000_000, 2_540_000], 10_000),
-            UnitSystem::Inch => (25_400_000, 1_000_000, [25_400_000_000, 25_400_000_000], 1_000_000),
-        };
-        let inch = setup.unit_system.is_inch();
-        let (longest, feeds, surface) = if inch {
-            (99_999_999 * 2540, [2_540_000, 99_999_999 * 2_540_000], 304_800)
-        } else {
-            (Setup::COORDINATE, [1_000_000, 99_999_999 * 1_000_000], 1_000_000)
-        };
-        let last_digit = std::array::from_fn(|decimals| {
-            let exact = !inch && length % (1000 * TEN[decimals]) == 0;
-            if exact { length / TEN[decimals] } else { 0 }
-        });
-        Self { length, last_digit, angle, feed, time, surface, inch, longest, feeds }
-    }
-}
-
 #[cfg(test)]
 mod tests {
-    use super::{Number, Rounding, quotient};
+    use super::{Number, quotient};
+    use crate::engine::arithmetic::round::Rounding;
     use std::cmp::Ordering;
 
     fn decimal(digits: i64, scale: u8) -> Number {

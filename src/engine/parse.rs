@@ -4,6 +4,7 @@ use turnspec_oracle::vocabulary::rule_ids::*;
 use turnspec_oracle::vocabulary::{AlarmName, Label, Setup};
 
 use super::fault::Fault;
+use super::planted::{self, Bug};
 use super::text::{Class, class};
 use super::words::{Operation, Parsed};
 
@@ -80,7 +81,8 @@ impl Parser<'_> {
 
     fn skip_comment(&mut self) -> Result<(), Fault> {
         let rest = self.text.get(self.at..).unwrap_or_default();
-        match memchr::memchr(b')', rest) {
+        let find = if planted::is(Bug::GreedyComment) { memchr::memrchr } else { memchr::memchr };
+        match find(b')', rest) {
             Some(length) => {
                 self.at += length + 1;
                 Ok(())
@@ -115,7 +117,7 @@ impl Parser<'_> {
             self.sequence()?;
             if !(slash && self.options.block_delete) {
                 self.skip_blanks()?;
-                if slash && self.peek() == Some(b'/') {
+                if slash && self.peek() == Some(b'/') && !planted::is(Bug::SecondSlash) {
                     return Fault::raise(AlarmName::SlashMisplaced, DEL_02);
                 }
                 slash |= self.take_slash()?;

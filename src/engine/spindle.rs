@@ -9,10 +9,12 @@ use turnspec_oracle::vocabulary::{
 };
 
 use super::Interpreter;
+use super::arithmetic::speed::{SpeedChoice, surface, thousandths};
 use super::block::{OneShot, Plan};
 use super::exact::{Formula, Real, round, sign};
 use super::fault::Fault;
-use super::state::{SpeedChoice, X};
+use super::planted::{self, Bug};
+use super::state::X;
 use super::words::{Address, Words};
 
 /// Thousandths of a revolution per minute at a cutting speed (µm/min) on a diameter (nm), less a speed:
@@ -42,12 +44,10 @@ impl Interpreter<'_> {
         let clamp = self.state.clamp;
         if !self.state.constant_speed {
             let acts = self.setup.readings.speed_clamp == SpeedClamp::Always;
-            return match clamp {
-                Some(clamp) if acts && self.state.speed > clamp => {
-                    SpeedChoice { value: clamp, limit: Some(SpeedLimit::Clamp) }
-                }
-                _ => SpeedChoice { value: self.state.speed, limit: None },
-            };
+            let equal = planted::is(Bug::ClampInclusive) && acts && clamp == Some(self.state.speed);
+            let limit = equal.then_some(SpeedLimit::Clamp);
+            let commanded = SpeedChoice { value: self.state.speed, limit };
+            return commanded.clamped(clamp.filter(|_| acts));
         }
         let spindle = &self.setup.spindle;
         let gear = spindle.gear.iter().find(|gear| u16::from(gear.code) == self.state.gear);
@@ -56,7 +56,9 @@ impl Interpreter<'_> {
         let choice = |value, limit| SpeedChoice { value, limit };
         let geared = if self.compare_rate(diameter, maximum.0) == Ordering::Greater {
             choice(maximum.0, Some(SpeedLimit::GearMaximum))
-        } else if self.compare_rate(diameter, minimum.0) == Ordering::Less {
+        } else if self.compare_rate(diameter, minimum.0) == Ordering::Less
+            && !planted::is(Bug::GearMinimumLost)
+        {
             choice(minimum.0, Some(SpeedLimit::GearMinimum))
         } else if clamp.is_some_and(|clamp| self.compare_rate(diameter, clamp) == Ordering::Greater) {
             return choice(clamp.unwrap_or_default(), Some(SpeedLimit::Clamp));
@@ -67,10 +69,7 @@ impl Interpreter<'_> {
             let rate = self.rate(diameter, 0);
             return choice(round(&rate, &mut self.slow), None);
         };
-        match clamp {
-            Some(clamp) if geared.value > clamp => choice(clamp, Some(SpeedLimit::Clamp)),
-            _ => geared,
-        }
+        geared.clamped(clamp.filter(|_| !planted::is(Bug::ClampIgnored)))
     }
 
     fn rate(&self, diameter: i64, less: i64) -> CuttingRate {
@@ -100,9 +99,9 @@ impl Interpreter<'_> {
                 rules = rules.with(SPD_02);
             }
             if self.state.constant_speed {
-                self.state.surface = CuttingSpeed(speed * self.units.surface);
+                self.state.surface = CuttingSpeed(surface(speed, self.units.surface));
             } else {
-                self.state.speed = speed * 1000;
+                self.state.speed = thousandths(speed);
                 rules = rules.with(CSS_02);
             }
             let (rules, with_motion) = answer(words, plan, rules);
@@ -114,7 +113,7 @@ impl Interpreter<'_> {
             self.emit(sink, const { RuleSet::of(&[CAX_08]) }, Action::Spindle(spindle));
         }
         if let Some(speed) = words.get(Address::SB) {
-            self.state.tool_speed = speed * 1000;
+            self.state.tool_speed = thousandths(speed);
             self.emit_tool_spindle(sink, const { RuleSet::of(&[SB_01, SB_02]) });
         }
         Ok(())
@@ -185,7 +184,7 @@ fn plain(spindle: SpindleName, state: SpindleState, speed: i64, gear: Label) -> 
 /// What M63 adds to a spindle event of its block, or its absence in a motion block.
 pub fn answer(words: &Words, plan: Plan, rules: RuleSet) -> (RuleSet, bool) {
     if words.has_m(63) {
-        (rules.with(M63_02), plan.moves)
+        (rules.with(M63_02), plan.moves || planted::is(Bug::AnswerWithoutMotion))
     } else if plan.moves {
         (rules.with(M63_01), false)
     } else {

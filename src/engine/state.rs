@@ -1,8 +1,11 @@
 //! What a control remembers from block to block.
 
 use turnspec_oracle::vocabulary::{
-    CuttingSpeed, FeedUnit, Length, Limit, Setup, SpeedLimit, SpindleState, ToolOffsetSign,
+    CuttingSpeed, FeedUnit, Length, Limit, Setup, SpindleState, ToolOffsetSign,
 };
+
+use super::arithmetic::{frame, turn};
+use super::planted::{self, Bug};
 
 /// Amounts of the four axes in nanometres and micro-degrees, X as a diameter; by [`super::system::Axis`].
 pub type Amounts = [i64; 4];
@@ -12,9 +15,6 @@ pub const X: usize = 0;
 pub const Z: usize = 1;
 pub const C: usize = 2;
 pub const W: usize = 3;
-
-/// A full turn in micro-degrees.
-pub const TURN: i64 = 360_000_000;
 
 /// Number of tool offsets and nose radius entries, number 0 included.
 pub const TABLE: usize = 97;
@@ -123,7 +123,7 @@ impl State {
         let metres = |length: Option<Length>| length.map(|length| length.0);
         let b = &setup.barriers;
         Self {
-            machine: [setup.start.x.0, setup.start.z.0, setup.start.c.0.rem_euclid(TURN), setup.start.w.0],
+            machine: [setup.start.x.0, setup.start.z.0, turn::within(setup.start.c.0), setup.start.w.0],
             zero_offset: [
                 setup.zero_offset.x.0,
                 setup.zero_offset.z.0,
@@ -187,31 +187,23 @@ impl State {
     /// Machine coordinate less program coordinate of an axis (E100L-COORD-03).
     #[inline]
     pub fn frame(&self, axis: usize) -> i64 {
-        let sum = self.zero_offset[axis].saturating_add(self.zero_shift[axis]);
-        match axis {
-            X | Z => sum.saturating_add(self.offset_sign * self.active_offset()[axis]),
-            _ => sum,
-        }
+        let tool_offset = match axis {
+            X | Z => self.offset_sign * self.active_offset()[axis],
+            W if planted::is(Bug::ShiftTwice) => self.zero_shift[W],
+            _ => 0,
+        };
+        frame::between(self.zero_offset[axis], self.zero_shift[axis], tool_offset)
     }
 
     /// The present program coordinate of an axis; C in [0, 360).
     #[inline]
     pub fn program(&self, axis: usize) -> i64 {
-        let value = self.machine[axis].saturating_sub(self.frame(axis));
-        if axis == C { value.rem_euclid(TURN) } else { value }
+        let value = frame::to_program(self.machine[axis], self.frame(axis));
+        if axis == C { turn::within(value) } else { value }
     }
 
     /// The unit of the feed mode in force.
     pub fn feed_unit(&self) -> FeedUnit {
         if self.per_minute { FeedUnit::PerMinute } else { FeedUnit::PerRevolution }
     }
-}
-
-/// Why a spindle speed is what it is.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub struct SpeedChoice {
-    /// Thousandths of a revolution per minute.
-    pub value: i64,
-    /// The limit that acted.
-    pub limit: Option<SpeedLimit>,
 }

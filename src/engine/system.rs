@@ -1,6 +1,6 @@
 //! The table of system variables (E100L-SVTAB-01).
 
-use super::number::TEN;
+use super::arithmetic::scale::TEN;
 
 /// An axis.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]

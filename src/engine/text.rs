@@ -5,6 +5,7 @@ use turnspec_oracle::vocabulary::rule_ids::*;
 use turnspec_oracle::vocabulary::{AlarmName, Label, TapeCode};
 
 use super::fault::Fault;
+use super::planted::{self, Bug};
 
 /// Longest block, in characters without LF and CR.
 const LONGEST: usize = 158;
@@ -176,7 +177,8 @@ impl<'a> Reader<'a> {
         while !single && end < self.bytes.len() && self.begins_with_dollar(end + 1) {
             continued = true;
             end = self.end_of_line(end + 1);
-            self.line = self.line.saturating_add(u32::from(end < self.bytes.len()));
+            let counted = end < self.bytes.len() && !planted::is(Bug::ContinuationNotCounted);
+            self.line = self.line.saturating_add(u32::from(counted));
         }
         self.at = end + 1;
         self.closed = single;
@@ -197,6 +199,7 @@ impl<'a> Reader<'a> {
     fn character(&self, byte: u8) -> Option<u8> {
         match self.code {
             TapeCode::Ascii => Some(byte),
+            TapeCode::Iso if planted::is(Bug::ParityIgnored) => Some(byte & 0x7f),
             TapeCode::Iso => Some(ISO[usize::from(byte)]).filter(|character| *character != BAD),
             TapeCode::Eia => Some(EIA[usize::from(byte)]).filter(|character| *character != BAD),
         }
@@ -287,7 +290,7 @@ impl<'a> Reader<'a> {
             TapeCode::Eia => false,
         };
         let counts = |byte: &&u8| !self.is_end_of_block(**byte) && !is_return(**byte);
-        if raw.iter().filter(counts).count() > LONGEST {
+        if raw.iter().filter(counts).count() > LONGEST + usize::from(planted::is(Bug::LongestBlock)) {
             return Err(Fault::new(AlarmName::BlockTooLong, FMT_05));
         }
         Ok(())

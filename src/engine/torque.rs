@@ -4,10 +4,13 @@ use turnspec_oracle::vocabulary::rule_ids as rules;
 use turnspec_oracle::vocabulary::{AlarmName, Feed, FeedRate, Label, ReadingSet, RuleId, Sink};
 
 use super::Interpreter;
+use super::arithmetic::feed::{fifth, is_watched};
+use super::arithmetic::frame::coordinate;
+use super::arithmetic::limit::{Limited, limited};
 use super::cite::{self, Cites};
 use super::fault::Fault;
 use super::motion::{Element, Kind};
-use super::number::Rounding;
+use super::planted::{self, Bug};
 use super::state::{W, Z};
 use super::words::{Address, Words};
 
@@ -32,7 +35,7 @@ impl Interpreter<'_> {
         let before = words.get(Address::D).unwrap_or_default();
         let beyond = words.get(Address::L).unwrap_or_default();
         let present = self.state.program(axis);
-        let target = if self.state.incremental { present.saturating_add(word) } else { word };
+        let target = coordinate(present, word, self.state.incremental);
         let start = self.state.machine[axis];
         let target_machine = target.saturating_add(self.state.frame(axis));
         let way = target_machine.saturating_sub(start);
@@ -60,15 +63,13 @@ impl Interpreter<'_> {
         // Distances from the start in the direction of the feed.
         let along = |point: i64| direction * point.saturating_sub(start);
         let stop = self.setup.inputs.torque_stops.get(self.state.stops_used).map(|stop| stop.0);
-        self.state.stops_used += 1;
+        self.state.stops_used += usize::from(!planted::is(Bug::TorqueStopReused));
         let stop = stop.filter(|stop| along(*stop) > 0 && along(*stop) <= along(last));
-        if let Some(stop) = stop.filter(|stop| along(*stop) <= along(approach)) {
-            // The delay is in units of 10 ms, the feed in picometres per minute.
-            let seen = i128::from(along(stop)) * 6_000_000 >= i128::from(feed.value.0) * i128::from(delay);
-            if seen {
-                self.skip_to(skip, stop, feed, sink)?;
-                return Fault::raise(AlarmName::TorqueReachedEarly, rules::TRQ_06);
-            }
+        if let Some(stop) = stop.filter(|stop| along(*stop) <= along(approach))
+            && is_watched(along(stop), feed.value.0, delay)
+        {
+            self.skip_to(skip, stop, feed, sink)?;
+            return Fault::raise(AlarmName::TorqueReachedEarly, rules::TRQ_06);
         }
         self.skip_to(skip, approach, feed, sink)?;
         let slow = Feed { value: FeedRate(fifth(feed.value.0)), ..feed };
@@ -82,13 +83,11 @@ impl Interpreter<'_> {
     }
 
     fn check_limits(&self, axis: usize, machine: i64) -> Result<(), Fault> {
-        if self.state.negative_limits[axis].is_some_and(|limit| machine < limit) {
-            return Fault::raise(AlarmName::TravelLimitNegative, rules::LIM_02);
+        match limited(machine, self.state.negative_limits[axis], self.state.positive_limits[axis]) {
+            Limited::Within => Ok(()),
+            Limited::AbovePositive(_) => Fault::raise(AlarmName::TravelLimitPositive, rules::LIM_01),
+            Limited::BelowNegative => Fault::raise(AlarmName::TravelLimitNegative, rules::LIM_02),
         }
-        if self.state.positive_limits[axis].is_some_and(|limit| machine > limit) {
-            return Fault::raise(AlarmName::TravelLimitPositive, rules::LIM_01);
-        }
-        Ok(())
     }
 
     /// One element of the skip to a machine coordinate.
@@ -107,11 +106,6 @@ impl Interpreter<'_> {
         };
         self.perform(element, sink)
     }
-}
-
-/// A fifth of a feed, rounded half away from zero.
-fn fifth(feed: i64) -> i64 {
-    i64::try_from(Rounding::HalfAway.divide(feed.into(), 5)).unwrap_or(i64::MAX)
 }
 
 #[cold]

@@ -6,9 +6,11 @@ use turnspec_oracle::vocabulary::{
 };
 
 use super::Interpreter;
+use super::arithmetic::round::Rounding;
 use super::evaluate::push_number;
 use super::fault::Fault;
-use super::number::{Number, Rounding, quotient};
+use super::number::{Number, quotient};
+use super::planted::{self, Bug};
 use super::state::{X, Z};
 use super::system::{Axis, SystemVariable};
 use super::words::Operand;
@@ -180,7 +182,9 @@ impl Interpreter<'_> {
             SystemVariable::ZeroShift(_) => {
                 self.emit_frame(sink, FrameCause::ZeroShift, const { RuleSet::of(&[SVAR_04]) });
             }
-            SystemVariable::ToolOffset(_) if suffix == Some(self.state.offset.into()) => {
+            SystemVariable::ToolOffset(_)
+                if suffix == Some(self.state.offset.into()) && !planted::is(Bug::ActiveOffsetSilent) =>
+            {
                 self.emit_frame(sink, FrameCause::ToolOffset, const { RuleSet::of(&[SVAR_05]) });
             }
             _ => {}

@@ -1,7 +1,11 @@
 //! Grows a program block by block: chooses what comes next, places the fault, ends the program.
 
+use turnspec_oracle::vocabulary::Feature;
+
 use crate::choices::Choices;
 use crate::faults::{self, Fault};
+use crate::print;
+use crate::profile::Profile;
 use crate::program::{Block, Item, Line, Program};
 use crate::state::{Mode, State};
 
@@ -17,6 +21,10 @@ pub(crate) struct Builder<'b, 'c, 'd> {
     pub(crate) expressions: usize,
     /// Characters left for expressions in the present block.
     pub(crate) room: usize,
+    /// What the program may need of an implementation.
+    pub(crate) profile: Profile,
+    /// The kinds of blocks with their weights.
+    kinds: Vec<(usize, Kind)>,
 }
 
 /// A kind of block.
@@ -53,25 +61,89 @@ const KINDS: &[(usize, Kind)] = &[
     (4, Kind::Filler),
 ];
 
+impl Kind {
+    /// Whether a profile has something for blocks of this kind.
+    fn is_within(self, profile: &Profile) -> bool {
+        let any = |features: &[Feature]| features.iter().any(|feature| profile.allows(*feature));
+        let feed = profile.allows(Feature::Feed);
+        match self {
+            Self::Rapid => any(&[Feature::Rapid]),
+            Self::Linear => feed && any(&[Feature::Linear]),
+            Self::Arc => feed && any(&[Feature::Arc]),
+            Self::Taper => any(&[Feature::AnyAngle]),
+            Self::Chamfer => feed && any(&[Feature::Chamfer, Feature::Rounding, Feature::AnyAngle]),
+            Self::Dwell => any(&[Feature::Dwell]),
+            Self::Shift => any(&[Feature::ZeroShift, Feature::Spindle]),
+            Self::Torque => any(&[Feature::Torque]),
+            Self::Assignment => any(&[Feature::Variable, Feature::SystemVariable]),
+            Self::CAxis => any(&[Feature::CAxis]),
+            Self::Auxiliary | Self::Modes | Self::Filler => true,
+        }
+    }
+}
+
+/// How often a block is written anew when it leaves the profile.
+const ATTEMPTS: usize = 20;
+
 impl<'b, 'c, 'd> Builder<'b, 'c, 'd> {
     /// A program that begins in this state.
-    pub(crate) fn new(choices: &'b mut Choices<'c, 'd>, state: State) -> Self {
+    pub(crate) fn new(choices: &'b mut Choices<'c, 'd>, mut state: State, profile: Profile) -> Self {
         let expressions = choices.pick(&[0, 3, 10, 40]);
-        Self { choices, state, lines: Vec::new(), expressions, room: 0 }
+        let expressions = if profile.allows(Feature::Expression) { expressions } else { 0 };
+        let kinds = KINDS.iter().copied().filter(|(_, kind)| kind.is_within(&profile)).collect();
+        state.environment.restrict(&profile);
+        Self { choices, state, lines: Vec::new(), expressions, room: 0, profile, kinds }
+    }
+
+    /// Whether a feature is allowed.
+    pub(crate) fn allows(&self, feature: Feature) -> bool {
+        self.profile.allows(feature)
+    }
+
+    /// Adds lines that stay within the profile: what does not is taken back, and left out after a number of
+    /// attempts. False when nothing was added.
+    fn within_profile(&mut self, attempts: usize, write: impl Fn(&mut Self) -> bool) -> bool {
+        if self.profile.is_full() {
+            return write(self);
+        }
+        for _ in 0..attempts {
+            let (state, lines) = (self.state.clone(), self.lines.len());
+            if write(self) && self.profile.permits_text(&self.text_from(lines), state.mode) {
+                return true;
+            }
+            self.state = state;
+            self.lines.truncate(lines);
+        }
+        false
+    }
+
+    /// The plainest text of the lines from a place on.
+    fn text_from(&self, place: usize) -> Vec<u8> {
+        let mut text = Vec::new();
+        for line in self.lines.get(place..).unwrap_or_default() {
+            // A line that begins with $ is a header at the beginning of a text only.
+            text.push(b'\n');
+            match line {
+                Line::Raw(bytes) => text.extend_from_slice(bytes),
+                Line::Block(block) => text.extend_from_slice(print::plain(block).as_bytes()),
+            }
+        }
+        text
     }
 
     /// Writes the whole program.
     pub(crate) fn build(&mut self) {
         let size = 1 + self.choices.below(40).min(1 + self.choices.below(40));
-        let fault = self.choices.chance(35).then(|| faults::choose(self.choices, &self.state.setup));
+        let faulty = self.choices.chance(35) && self.allows(Feature::Alarm);
+        let fault = faulty.then(|| faults::choose(self.choices, &self.state.setup));
         let place = match fault {
             Some(fault) if faults::is_first(fault) => 0,
             Some(fault) if faults::is_early(fault) => self.choices.below(3),
             Some(_) => self.choices.late(size + 1),
             None => usize::MAX,
         };
-        if !fault.is_some_and(faults::is_first) {
-            self.beginning();
+        if !fault.is_some_and(faults::is_first) && self.allows(Feature::ProgramName) {
+            self.within_profile(ATTEMPTS, Self::beginning);
         }
         for number in 0..size {
             if number == place && fault.is_some_and(|fault| self.try_fault(fault)) {
@@ -80,24 +152,26 @@ impl<'b, 'c, 'd> Builder<'b, 'c, 'd> {
             if self.choices.is_empty() {
                 break;
             }
-            self.next_block();
+            self.within_profile(ATTEMPTS, Self::next_block);
         }
-        if fault != Some(Fault::NoProgramEnd) {
-            self.ending();
+        if fault != Some(Fault::NoProgramEnd) && !self.within_profile(ATTEMPTS, Self::ending) {
+            self.raw(b"M02");
         }
     }
 
     /// Tries to place a fault, and if the set-up does not let it happen, another one.
     fn try_fault(&mut self, fault: Fault) -> bool {
-        if self.fault(fault) {
+        if self.within_profile(3, |builder| builder.fault(fault)) {
             return self.choices.chance(70);
         }
         let other = faults::choose(self.choices, &self.state.setup);
-        !faults::is_first(other) && self.fault(other) && self.choices.chance(70)
+        !faults::is_first(other)
+            && self.within_profile(3, |builder| builder.fault(other))
+            && self.choices.chance(70)
     }
 
     /// Header, `%`, program name.
-    fn beginning(&mut self) {
+    fn beginning(&mut self) -> bool {
         if !self.state.is_eia() && self.choices.chance(8) {
             let list: [&[u8]; 5] = [b"$SHAFT-1.MIN%", b"$A.MIN% ", b"$PART%", b"$X.Y.LIB %", b"$%"];
             let text = self.choices.pick(&list);
@@ -115,10 +189,11 @@ impl<'b, 'c, 'd> Builder<'b, 'c, 'd> {
             let tail: &[u8] = if self.choices.chance(15) { b" (SHAFT)" } else { b"" };
             self.raw(&[name, tail].concat());
         }
+        true
     }
 
     /// M02 or M30, with what may stand beside and after it.
-    fn ending(&mut self) {
+    fn ending(&mut self) -> bool {
         self.begin();
         let mut items = Vec::new();
         if self.choices.chance(10) {
@@ -131,11 +206,13 @@ impl<'b, 'c, 'd> Builder<'b, 'c, 'd> {
             let text = self.choices.pick(&list);
             self.raw(text);
         }
+        true
     }
 
-    fn next_block(&mut self) {
+    fn next_block(&mut self) -> bool {
         self.begin();
-        match self.choices.weighted(KINDS) {
+        let Self { choices, kinds, .. } = self;
+        match choices.weighted(kinds) {
             Kind::Rapid => self.line(Mode::Rapid),
             Kind::Linear => self.line(Mode::Linear),
             Kind::Arc => self.arc(),
@@ -150,6 +227,7 @@ impl<'b, 'c, 'd> Builder<'b, 'c, 'd> {
             Kind::CAxis => self.c_axis(),
             Kind::Filler => self.filler(),
         }
+        true
     }
 
     /// Begins a block: its expressions read the state as it is now.
@@ -171,8 +249,11 @@ impl<'b, 'c, 'd> Builder<'b, 'c, 'd> {
         if !assigns && self.choices.chance(15) {
             self.choices.shuffle(&mut items);
         }
-        let sequence = self.choices.chance(15).then(|| self.sequence_name()).flatten();
-        let delete = !self.state.setup.switches.block_delete && self.choices.chance(3);
+        let named = self.choices.chance(15) && self.allows(Feature::SequenceName);
+        let sequence = named.then(|| self.sequence_name()).flatten();
+        let delete = !self.state.setup.switches.block_delete
+            && self.choices.chance(3)
+            && self.allows(Feature::BlockDelete);
         self.lines.push(Line::Block(Block { delete, sequence, items }));
         if self.state.setup.switches.block_delete && self.choices.chance(10) {
             self.skipped();

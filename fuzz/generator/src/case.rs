@@ -1,11 +1,12 @@
 //! A case: a program and the set-up that it runs on, from bytes or from a seed.
 
 use arbitrary::{Arbitrary, Result, Unstructured};
-use turnspec_oracle::vocabulary::{Setup, TapeCode};
+use turnspec_oracle::vocabulary::{Feature, Setup, TapeCode};
 
 use crate::builder::Builder;
 use crate::choices::Choices;
 use crate::print::{self, Style};
+use crate::profile::Profile;
 use crate::program::Program;
 use crate::state::State;
 use crate::{setup, tape};
@@ -31,14 +32,14 @@ impl Case {
     #[must_use]
     pub fn from_raw(bytes: &[u8]) -> Self {
         let (choice, program) = bytes.split_at(bytes.len().min(Self::SETUP_BYTES));
-        let setup = setup::setup(&mut Choices::new(&mut Unstructured::new(choice)));
+        let setup = setup::setup(&mut Choices::new(&mut Unstructured::new(choice)), &Profile::FULL);
         Self { setup, program: program.to_vec() }
     }
 }
 
 impl<'a> Arbitrary<'a> for Case {
     fn arbitrary(bytes: &mut Unstructured<'a>) -> Result<Self> {
-        Ok(case(&mut Choices::new(bytes)))
+        Ok(case(&mut Choices::new(bytes), Profile::FULL))
     }
 }
 
@@ -46,7 +47,7 @@ impl<'a> Arbitrary<'a> for Program {
     /// A program for the default set-up.
     fn arbitrary(bytes: &mut Unstructured<'a>) -> Result<Self> {
         let mut choices = Choices::new(bytes);
-        let mut builder = Builder::new(&mut choices, State::new(Setup::default()));
+        let mut builder = Builder::new(&mut choices, State::new(Setup::default()), Profile::FULL);
         builder.build();
         Ok(builder.finish().0)
     }
@@ -55,23 +56,39 @@ impl<'a> Arbitrary<'a> for Program {
 /// The case of a seed, the same for ever.
 #[must_use]
 pub fn case_from_seed(seed: u64) -> Case {
-    let bytes = stretch(seed);
-    case(&mut Choices::new(&mut Unstructured::new(&bytes)))
+    case_from_seed_within(seed, &Profile::FULL)
 }
 
-fn case(choices: &mut Choices<'_, '_>) -> Case {
-    let setup = setup::setup(choices);
-    let mut builder = Builder::new(choices, State::new(setup));
+/// The case of a seed that stays within a profile, the same for ever; with everything allowed it is that of
+/// [`case_from_seed`].
+///
+/// Without `tape-code` the program is made of printable characters and LF. Without `alarm` no fault is
+/// placed and no byte is changed, yet a motion may still run into an alarm that the generator did not foresee.
+/// Without `feed` no motion cuts.
+#[must_use]
+pub fn case_from_seed_within(seed: u64, profile: &Profile) -> Case {
+    let bytes = stretch(seed);
+    case(&mut Choices::new(&mut Unstructured::new(&bytes)), *profile)
+}
+
+fn case(choices: &mut Choices<'_, '_>, profile: Profile) -> Case {
+    let setup = setup::setup(choices, &profile);
+    let mut builder = Builder::new(choices, State::new(setup), profile);
     builder.build();
     let (program, state) = builder.finish();
     let setup = state.setup;
-    let style = Style::choose(choices, setup.tape.code != TapeCode::Eia);
+    let style = Style::choose(choices, setup.tape.code != TapeCode::Eia, profile);
     let text = print::program(&program, style, choices);
     let mut program = tape::encode(&text, setup.tape.code);
-    if choices.chance(4) {
+    if choices.chance(4) && profile.allows(Feature::Alarm) {
         corrupt(&mut program, choices);
     }
-    Case { setup, program }
+    let case = Case { setup, program };
+    if profile.permits(&case) {
+        case
+    } else {
+        Case { program: tape::encode(&text, case.setup.tape.code), ..case }
+    }
 }
 
 /// Changes a few bytes.

@@ -1,6 +1,6 @@
 //! Chamfers and roundings, G75 and G76, with the blocks that they look ahead to; blocks with A alone.
 
-use turnspec_oracle::vocabulary::{ChamferLeg, Chamfering, IncrementalAfterChamfer};
+use turnspec_oracle::vocabulary::{ChamferLeg, Chamfering, Feature, IncrementalAfterChamfer};
 
 use crate::builder::Builder;
 use crate::geometry::Point;
@@ -28,7 +28,11 @@ impl Builder<'_, '_, '_> {
 
     /// The code of a chamfer block, and G01 where it is needed.
     fn chamfer_codes(&mut self, items: &mut Vec<Item>) -> bool {
-        let rounding = self.choices.chance(50);
+        let rounding = match (self.allows(Feature::Chamfer), self.allows(Feature::Rounding)) {
+            (true, false) => false,
+            (false, true) => true,
+            _ => self.choices.chance(50),
+        };
         self.select(Mode::Linear, items);
         items.insert(0, Item::g(if rounding { 76 } else { 75 }));
         self.feed_if_needed(items);
@@ -51,7 +55,9 @@ impl Builder<'_, '_, '_> {
             let travel = self.choices.within(4_000, 40_000) * 1_000;
             let origin = base.map_or(present, |base| base[axis as usize]);
             let (item, target) = self.coordinate(axis, present + direction * travel * radius, origin);
-            let size = self.choices.within(100, travel * 2 / 5_000) * 1_000;
+            // Inches are rounded, so that nothing fits exactly there.
+            let fits = !self.state.units.system.is_inch() && self.choices.chance(8);
+            let size = if fits { travel } else { self.choices.within(100, travel * 2 / 5_000) * 1_000 };
             let sign = if self.choices.chance(50) { 1 } else { -1 };
             let (length_item, length) = self.length("L", sign * size);
             let beside = self.state.program(other) + length * other_radius;
@@ -71,6 +77,10 @@ impl Builder<'_, '_, '_> {
             base = Some(if from_corner { corner } else { end });
             (axis, direction) = (other, sign);
             self.begin();
+        }
+        // What an arc is counted from does not depend on the corner.
+        if !self.state.incremental && base.is_some() && self.choices.chance(30) {
+            return self.arc();
         }
         self.line_after_basic(axis, direction, base);
         self.state.after_cutting = true;
@@ -138,6 +148,10 @@ impl Builder<'_, '_, '_> {
         while legs.len() < count && attempts < 20 {
             attempts += 1;
             let wanted = self.somewhere_near(base);
+            let incremental = self.state.incremental;
+            let turned = !legs.is_empty() && self.choices.chance(6);
+            let mode = turned.then(|| self.incremental_word(!incremental));
+            let known = legs.len();
             if legs.len() + 2 <= count
                 && self.choices.chance(20)
                 && let Some((first, second)) = self.open_pair(base, wanted)
@@ -146,13 +160,17 @@ impl Builder<'_, '_, '_> {
                 direction = Some(second.corner.minus(first.corner));
                 base = second.corner;
                 legs.extend([first, second]);
-            } else if let Some((words, corner)) = self.closed_leg(base, wanted) {
-                if corner.minus(base).length() < 1e6 || !bends(direction, corner.minus(base)) {
-                    continue;
-                }
+            } else if let Some((words, corner)) = self.closed_leg(base, wanted)
+                && corner.minus(base).length() >= 1e6
+                && bends(direction, corner.minus(base))
+            {
                 direction = Some(corner.minus(base));
                 base = corner;
                 legs.push(Leg { words, corner, open: false });
+            }
+            match (legs.get_mut(known), mode) {
+                (Some(leg), mode) => leg.words.splice(0..0, mode).for_each(drop),
+                (None, _) => self.state.incremental = incremental,
             }
         }
         if legs.is_empty() {

@@ -1,7 +1,10 @@
 //! Words that may stand beside any motion: modes, feed, S, SB, SA, T, M codes.
 
+use turnspec_oracle::vocabulary::Feature;
+
 use crate::builder::Builder;
 use crate::codes;
+use crate::needs;
 use crate::program::Item;
 
 impl Builder<'_, '_, '_> {
@@ -11,14 +14,14 @@ impl Builder<'_, '_, '_> {
             return;
         }
         self.mode_words(items, 10);
-        if self.choices.chance(8) && !has(items, "F") {
+        if self.choices.chance(8) && !has(items, "F") && self.allows(Feature::Feed) {
             items.push(self.feed_word());
         }
-        if self.choices.chance(8) && !has(items, "S") {
+        if self.choices.chance(8) && !has(items, "S") && self.allows(Feature::Spindle) {
             items.push(self.spindle_speed());
         }
         self.extended_speeds(items, 4);
-        if self.choices.chance(6) {
+        if self.choices.chance(6) && self.allows(Feature::Tool) {
             items.push(self.tool_word());
         }
         if self.choices.chance(25) {
@@ -39,17 +42,17 @@ impl Builder<'_, '_, '_> {
     /// A block of S, T and M words.
     pub(crate) fn auxiliary(&mut self) {
         let mut items = Vec::new();
-        if self.choices.chance(40) {
+        if self.choices.chance(40) && self.allows(Feature::Spindle) {
             items.push(self.spindle_speed());
         }
         self.extended_speeds(&mut items, 15);
-        if self.choices.chance(30) {
+        if self.choices.chance(30) && self.allows(Feature::Tool) {
             items.push(self.tool_word());
         }
         if items.is_empty() || self.choices.chance(60) {
             self.m_words(&mut items, 8);
         }
-        if self.choices.chance(5) {
+        if self.choices.chance(5) && self.allows(Feature::OptionalStop) {
             items.push(Item::m(self.choices.within(0, 1)));
         }
         if items.is_empty() {
@@ -60,33 +63,36 @@ impl Builder<'_, '_, '_> {
 
     /// Codes of the modal groups, each with this chance in a hundred.
     fn mode_words(&mut self, items: &mut Vec<Item>, percent: usize) {
-        if self.choices.chance(percent) {
+        let dimension = self.allows(Feature::Absolute) || self.allows(Feature::Incremental);
+        if self.choices.chance(percent) && dimension {
             let incremental = if self.choices.chance(60) { false } else { !self.state.incremental };
             items.push(self.incremental_word(incremental));
         }
-        if self.choices.chance(percent) {
+        if self.choices.chance(percent) && self.allows(Feature::Feed) {
             self.state.per_minute = self.choices.chance(50);
             items.push(Item::g(if self.state.per_minute { 94 } else { 95 }));
             if self.choices.chance(50) {
                 items.push(self.feed_word());
             }
         }
-        if self.choices.chance(percent / 2) {
+        if self.choices.chance(percent / 2) && self.allows(Feature::CuttingSpeed) {
             self.state.cutting_speed = self.choices.chance(60);
             items.push(Item::g(if self.state.cutting_speed { 96 } else { 97 }));
             items.push(self.spindle_speed());
         }
-        if self.choices.chance(percent / 2) {
+        if self.choices.chance(percent / 2) && self.allows(Feature::Aux) {
             items.push(Item::g(self.choices.within(64, 65)));
         }
-        for code in [13, 18, 40, 110] {
-            if self.choices.chance(percent / 4) {
+        let (aux, turret) = (Feature::Aux, Feature::Turret);
+        for (code, feature) in [(13, turret), (18, aux), (40, aux), (110, turret)] {
+            if self.choices.chance(percent / 4) && self.allows(feature) {
                 items.push(Item::g(code));
             }
         }
     }
 
-    fn incremental_word(&mut self, incremental: bool) -> Item {
+    /// G90 or G91.
+    pub(crate) fn incremental_word(&mut self, incremental: bool) -> Item {
         self.state.incremental = incremental;
         Item::g(if incremental { 91 } else { 90 })
     }
@@ -106,11 +112,11 @@ impl Builder<'_, '_, '_> {
         if self.state.is_eia() {
             return;
         }
-        if self.choices.chance(percent) {
+        if self.choices.chance(percent) && self.allows(Feature::MTool) {
             let speed = self.choices.pick(&[400, 0, 1_500, 65_535]);
             items.push(self.whole("SB", speed));
         }
-        if self.choices.chance(percent / 2) {
+        if self.choices.chance(percent / 2) && self.allows(Feature::CAxis) {
             let speed = self.choices.pick(&[1, 5, 20]);
             items.push(self.whole("SA", speed));
         }
@@ -133,17 +139,19 @@ impl Builder<'_, '_, '_> {
 
     /// One to `most` M codes of different groups that raise no alarm here.
     pub(crate) fn m_words(&mut self, items: &mut Vec<Item>, most: usize) {
-        let mut groups = vec![false; codes::M_GROUPS.len()];
+        let possible: Vec<_> = codes::M_GROUPS.iter().filter(|group| self.allows_m(group[0])).collect();
+        let mut groups = vec![false; possible.len()];
         let mut seen = Vec::new();
         let mut special = false;
         for _ in 0..=self.choices.late(most).min(self.choices.late(most)) {
             let code = match self.choices.weighted(&[(55, 0), (25, 1), (20, 2)]) {
+                0 if groups.is_empty() => continue,
                 0 => {
                     let group = self.choices.below(groups.len());
                     if std::mem::replace(&mut groups[group], true) {
                         continue;
                     }
-                    self.choices.pick(codes::M_GROUPS[group])
+                    self.choices.pick(possible[group])
                 }
                 1 => codes::single_m(self.choices.below(400)),
                 _ if std::mem::replace(&mut special, true) => continue,
@@ -151,6 +159,9 @@ impl Builder<'_, '_, '_> {
             };
             let unsafe_index = code == 203 && !self.state.setup.inputs.turret_clamp_confirmed;
             let grouped = matches!(code, 12..=14 | 109 | 110 | 124 | 125 | 146 | 147 | 152 | 153 | 194);
+            if !self.allows_m(code) {
+                continue;
+            }
             if seen.contains(&code) || unsafe_index || grouped && special && seen.iter().any(is_special) {
                 continue;
             }
@@ -158,6 +169,11 @@ impl Builder<'_, '_, '_> {
             self.note_m(code);
             items.push(self.whole("M", code));
         }
+    }
+
+    /// Whether the profile allows an M code.
+    fn allows_m(&self, code: i64) -> bool {
+        needs::of_m_code(code).iter().all(|feature| self.allows(*feature))
     }
 
     /// A code of the C axis, of the rotary tool or of the time check that is allowed here.

@@ -2,11 +2,12 @@
 
 use std::collections::BTreeMap;
 
-use turnspec_oracle::vocabulary::UnitSystem;
+use turnspec_oracle::vocabulary::{Feature, UnitSystem};
 
 use crate::choices::Choices;
 use crate::expression::{Expression, Variable};
 use crate::number::Number;
+use crate::profile::Profile;
 use crate::unit::{Estimate, Units};
 
 /// The variables as an expression sees them.
@@ -22,6 +23,8 @@ pub struct Environment {
     pub offset_sets: u8,
     /// Whether boolean operators and functions may be used.
     pub user_task_2: bool,
+    /// What expressions may need.
+    profile: Profile,
     /// By what the angles of functions exceed degrees.
     pub function_angle: f64,
     /// Parts of 1 at which DROUND, DFIX and DFUP work.
@@ -44,10 +47,23 @@ impl Environment {
             tool_offsets: BTreeMap::new(),
             offset_sets,
             user_task_2,
+            profile: Profile::FULL,
             function_angle: units.function_angle(),
             decimal_scale,
             units,
         }
+    }
+
+    /// Keeps expressions within a profile.
+    pub fn restrict(&mut self, profile: &Profile) {
+        self.profile = *profile;
+    }
+
+    /// Whether expressions may need a feature.
+    #[must_use]
+    pub fn allows(&self, feature: Feature) -> bool {
+        let task_2 = matches!(feature, Feature::Boolean | Feature::Function);
+        self.profile.allows(feature) && (self.user_task_2 || !task_2)
     }
 
     /// A length in nanometres as a system variable shows it (E100L-TYPE-13).

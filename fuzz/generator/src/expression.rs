@@ -1,5 +1,7 @@
 //! Expressions of the user task: their structure, and their growth from choices.
 
+use turnspec_oracle::vocabulary::Feature;
+
 use crate::choices::Choices;
 use crate::environment::Environment;
 use crate::number::Number;
@@ -173,14 +175,14 @@ impl Expression {
         if depth == 0 || choices.chance(20) {
             return Self::leaf(choices, environment);
         }
-        let task_2 = environment.user_task_2;
+        let weight = |weight, feature| if environment.allows(feature) { weight } else { 0 };
         let below = |choices: &mut Choices<'_, '_>| Box::new(Self::grow(choices, environment, depth - 1));
         match choices.weighted(&[
             (40, 0),
             (10, 1),
             (12, 2),
-            (if task_2 { 30 } else { 0 }, 3),
-            (if task_2 { 8 } else { 0 }, 4),
+            (weight(30, Feature::Function), 3),
+            (weight(8, Feature::Boolean), 4),
         ]) {
             0 => Self::Binary(choices.pick(&Operator::ARITHMETIC), below(choices), below(choices)),
             1 => Self::Sign(choices.chance(70), below(choices)),
@@ -195,7 +197,10 @@ impl Expression {
     }
 
     fn leaf(choices: &mut Choices<'_, '_>, environment: &Environment) -> Self {
-        match choices.weighted(&[(35, 0), (25, 1), (5, 2), (20, 3), (15, 4)]) {
+        let weight = |weight, feature| if environment.allows(feature) { weight } else { 0 };
+        let variables = weight(20, Feature::Variable);
+        let system = weight(15, Feature::SystemVariable);
+        match choices.weighted(&[(35, 0), (25, 1), (5, 2), (variables, 3), (system, 4)]) {
             0 => Self::Constant(Number::whole(choices.within(0, 360))),
             1 => {
                 let decimals = choices.within(1, 4) as u8;

@@ -1,5 +1,7 @@
 //! Positioning and lines: G00, G01, with C, W, QA and the direct taper angle A.
 
+use turnspec_oracle::vocabulary::Feature;
+
 use crate::builder::Builder;
 use crate::program::Item;
 use crate::state::{Axis, Mode};
@@ -18,7 +20,11 @@ impl Builder<'_, '_, '_> {
     pub(crate) fn line(&mut self, mode: Mode) {
         let mut items = Vec::new();
         self.companions(&mut items);
-        if mode == Mode::Rapid && self.choices.chance(4) && self.may_index(mode) {
+        if mode == Mode::Rapid
+            && self.choices.chance(4)
+            && self.may_index(mode)
+            && self.allows(Feature::Turret)
+        {
             items.extend([Item::g(0), Item::m(203)]);
         } else {
             self.select(mode, &mut items);
@@ -57,13 +63,13 @@ impl Builder<'_, '_, '_> {
         }
     }
 
-    /// A coordinate word of one axis; moves the state. Now and then beyond a positive limit.
+    /// A coordinate word of one axis; moves the state. Now and then on a positive limit or beyond it.
     fn axis_word(&mut self, axis: Axis, items: &mut Vec<Item>) {
         let mut wanted = self.state.somewhere(axis, self.choices);
         if let Some(limit) = self.state.limits[axis as usize].positive
             && self.choices.chance(5)
         {
-            let beyond = self.choices.within(0, 50_000) * 1_000;
+            let beyond = if self.choices.chance(30) { 0 } else { self.choices.within(0, 50_000) * 1_000 };
             wanted = limit.0 - self.state.frame(axis) + beyond;
         }
         let (item, target) = self.target(axis, wanted);
@@ -90,7 +96,7 @@ impl Builder<'_, '_, '_> {
 
     /// M00 or M01 in a motion block, rarely.
     fn program_stop(&mut self, items: &mut Vec<Item>) {
-        if self.choices.chance(2) {
+        if self.choices.chance(2) && self.allows(Feature::OptionalStop) {
             items.push(Item::m(self.choices.within(0, 1)));
         }
     }

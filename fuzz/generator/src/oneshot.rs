@@ -1,6 +1,6 @@
 //! Blocks of one-shot codes without a motion of lines and arcs: dwell, zero shift, speed clamp, torque.
 
-use turnspec_oracle::vocabulary::Length;
+use turnspec_oracle::vocabulary::{Feature, Length};
 
 use crate::builder::Builder;
 use crate::number::Number;
@@ -28,12 +28,13 @@ impl Builder<'_, '_, '_> {
     /// G50 with axes, with S, or with both (E100L-G50-01, E100L-SMAX-01).
     pub(crate) fn shift(&mut self) {
         let mut items = vec![Item::g(50)];
-        let clamp = self.choices.chance(40);
+        let clamp =
+            self.choices.chance(40) && self.allows(Feature::Spindle) || !self.allows(Feature::ZeroShift);
         if clamp {
             let speed = self.choices.pick(&[1_500, 3_000, 100, 0, 65_535]);
             items.push(self.whole("S", speed));
         }
-        if !clamp || self.choices.chance(30) {
+        if !clamp || self.choices.chance(30) && self.allows(Feature::ZeroShift) {
             self.shift_words(&mut items);
         }
         self.push(items);

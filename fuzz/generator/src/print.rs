@@ -1,9 +1,12 @@
 //! From structure to text, with the freedom of spelling that the grammar leaves: blanks, comments, leading
 //! and trailing zeros, signs, equal signs, continuation lines, CR LF.
 
+use turnspec_oracle::vocabulary::Feature;
+
 use crate::choices::Choices;
 use crate::number::Number;
 use crate::print_expression::{self, variable};
+use crate::profile::Profile;
 use crate::program::{Block, Item, Line, Program, Value, Word};
 
 /// The longest block, in characters (E100L-FMT-05).
@@ -20,19 +23,23 @@ pub struct Style {
     pub carriage_return: bool,
     /// Whether the tape code has the equal sign, brackets and `$` (EIA does not, E100L-TAPE-01).
     pub all_characters: bool,
+    /// What spellings may need of an implementation.
+    pub profile: Profile,
 }
 
 impl Style {
     /// The plainest spelling.
-    pub const PLAIN: Self = Self { variation: 0, glue: 0, carriage_return: false, all_characters: true };
+    pub const PLAIN: Self =
+        Self { variation: 0, glue: 0, carriage_return: false, all_characters: true, profile: Profile::FULL };
 
     /// A style of a program.
-    pub fn choose(choices: &mut Choices<'_, '_>, all_characters: bool) -> Self {
+    pub fn choose(choices: &mut Choices<'_, '_>, all_characters: bool, profile: Profile) -> Self {
         Self {
             variation: choices.pick(&[0, 3, 3, 10, 30]),
             glue: choices.pick(&[0, 0, 20, 100]),
-            carriage_return: choices.chance(10),
+            carriage_return: choices.chance(10) && profile.allows(Feature::TapeCode),
             all_characters,
+            profile,
         }
     }
 }
@@ -56,6 +63,12 @@ pub fn program(program: &Program, style: Style, choices: &mut Choices<'_, '_>) -
     text
 }
 
+/// The plainest text of a program in seven-bit characters.
+#[must_use]
+pub fn plainest(lines: &Program) -> Vec<u8> {
+    program(lines, Style::PLAIN, &mut Choices::new(&mut arbitrary::Unstructured::new(&[])))
+}
+
 /// The plainest text of a block, without end of block.
 #[must_use]
 pub fn plain(block: &Block) -> String {
@@ -63,7 +76,8 @@ pub fn plain(block: &Block) -> String {
     Printer { style: Style::PLAIN, choices: &mut Choices::new(&mut bytes) }.block(block)
 }
 
-fn block_text(block: &Block, style: Style, choices: &mut Choices<'_, '_>) -> String {
+/// The text of a block without end of block; the plainest one when it would be too long otherwise.
+pub(crate) fn block_text(block: &Block, style: Style, choices: &mut Choices<'_, '_>) -> String {
     let text = Printer { style, choices }.block(block);
     let length = text.chars().filter(|character| !matches!(character, '\r' | '\n')).count();
     if length <= LONGEST { text } else { plain(block) }
@@ -109,9 +123,22 @@ impl Printer<'_, '_, '_> {
         if self.vary() {
             let list = [" ", "\t", "(END OF BLOCK)", " (a; b) "];
             let allowed = if self.style.all_characters { list.len() } else { 3 };
-            text.push_str(self.choices.pick(&list[..allowed]));
+            text.push_str(self.spelling(&list[..allowed]));
         }
         text
+    }
+
+    /// One of the texts that the profile allows, a blank if there is none.
+    fn spelling(&mut self, list: &[&'static str]) -> &'static str {
+        let profile = self.style.profile;
+        let allowed = |text: &&&str| {
+            let plain = text.chars().all(|character| matches!(character, ' '..='~' | '\n'));
+            (plain || profile.allows(Feature::TapeCode))
+                && (!text.contains('(') || profile.allows(Feature::Comment))
+                && (!text.contains('$') || profile.allows(Feature::ProgramName))
+        };
+        let list: Vec<_> = list.iter().filter(allowed).copied().collect();
+        if list.is_empty() { " " } else { self.choices.pick(&list) }
     }
 
     /// What stands between two items.
@@ -120,21 +147,21 @@ impl Printer<'_, '_, '_> {
             let list =
                 ["  ", "\t", "(REMARK)", " (see drawing 7/2) ", "\n$", "\r\n$ ", " \u{7F}", "\u{8} ", "()"];
             let allowed = if self.style.all_characters { list.len() } else { 3 };
-            return self.choices.pick(&list[..allowed]).to_owned();
+            return self.spelling(&list[..allowed]).to_owned();
         }
         let needs_blank = run_may_go_on(text);
         if !needs_blank && self.choices.chance(self.style.glue) { String::new() } else { " ".to_owned() }
     }
 
     fn separator(&mut self) -> &'static str {
-        if self.vary() { self.choices.pick(&["\t", "(X)", "  ", "\u{8}"]) } else { " " }
+        if self.vary() { self.spelling(&["\t", "(X)", "  ", "\u{8}"]) } else { " " }
     }
 
     fn item(&mut self, item: &Item) -> String {
         match item {
             Item::Word(word) => self.word(word),
             Item::Assignment(target, value) => {
-                let equal = if self.vary() { self.choices.pick(&[" = ", "= ", "\t="]) } else { "=" };
+                let equal = if self.vary() { self.spelling(&[" = ", "= ", "\t="]) } else { "=" };
                 format!("{}{equal}{}", variable(self, target), print_expression::text(self, value))
             }
             Item::Calrg => "CALRG".to_owned(),
@@ -148,14 +175,15 @@ impl Printer<'_, '_, '_> {
             Value::Plain(number) => {
                 let extended = address.len() == 2;
                 let written = self.number(*number, address);
-                if extended || self.style.all_characters && self.vary() {
+                let may_equal = self.style.all_characters && self.style.profile.allows(Feature::Expression);
+                if extended || may_equal && self.vary() {
                     let equal = if self.vary() { self.choices.pick(&[" = ", "= ", " ="]) } else { "=" };
                     return format!("{address}{equal}{written}");
                 }
                 format!("{address}{written}")
             }
             Value::Expression(expression) => {
-                let equal = if self.vary() { self.choices.pick(&["= ", " =", "=\t"]) } else { "=" };
+                let equal = if self.vary() { self.spelling(&["= ", " =", "=\t"]) } else { "=" };
                 format!("{address}{equal}{}", print_expression::text(self, expression))
             }
         }

@@ -1,41 +1,53 @@
 //! Set-ups: the default one often, else machines with other units, options, offsets, limits and readings.
 
 use turnspec_oracle::vocabulary::{
-    Angle, ArcOneCoordinate, AxisAmounts, ChamferLeg, Chamfering, Duration, FeedLength, Gear, InchConversion,
-    IncrementalAfterChamfer, Length, Limit, NoseRadius, Readings, Setup, Speed, SpeedClamp, TapeCode,
-    ToolOffset, ToolOffsetSign, UnitSystem,
+    Angle, ArcOneCoordinate, AxisAmounts, ChamferLeg, Chamfering, Duration, Feature, FeedLength, Gear,
+    InchConversion, IncrementalAfterChamfer, Length, Limit, NoseRadius, Readings, Setup, Speed, SpeedClamp,
+    TapeCode, ToolOffset, ToolOffsetSign, UnitSystem,
 };
 
 use crate::choices::Choices;
+use crate::profile::Profile;
 
 /// A set-up that passes [`Setup::validate`].
-pub fn setup(choices: &mut Choices<'_, '_>) -> Setup {
+pub fn setup(choices: &mut Choices<'_, '_>, profile: &Profile) -> Setup {
     let mut setup = Setup::default();
-    if choices.chance(25) {
-        return setup;
+    if !choices.chance(25) {
+        unusual(&mut setup, choices, profile);
     }
-    setup.unit_system = choices.weighted(&[
+    if profile.has_basic_corners() && setup.parameters.chamfering == Chamfering::AnyAngle {
+        setup.parameters.chamfering = Chamfering::Basic;
+    }
+    setup
+}
+
+/// Values other than the default ones, each where the profile allows it.
+fn unusual(setup: &mut Setup, choices: &mut Choices<'_, '_>, profile: &Profile) {
+    let allows = |feature| profile.allows(feature);
+    let unit_system = choices.weighted(&[
         (50, UnitSystem::Millimetre),
         (15, UnitSystem::Micrometre),
         (10, UnitSystem::TenMicrometre),
         (12, UnitSystem::TenThousandthInch),
         (13, UnitSystem::Inch),
     ]);
-    parameters(&mut setup, choices);
-    amounts(&mut setup, choices);
-    limits(&mut setup, choices);
-    spindle(&mut setup, choices);
-    setup.readings = readings(choices);
-    setup.switches.block_delete = choices.chance(25);
-    setup.switches.optional_stop = choices.chance(40);
-    setup.tape.code = choices.weighted(&[(80, TapeCode::Ascii), (12, TapeCode::Iso), (8, TapeCode::Eia)]);
-    setup.inputs.turret_clamp_confirmed = !choices.chance(20);
-    setup.inputs.restart = choices.chance(10);
-    for _ in 0..choices.below(4) {
+    setup.unit_system = if allows(Feature::Units) { unit_system } else { UnitSystem::Millimetre };
+    parameters(setup, choices, profile);
+    amounts(setup, choices, profile);
+    limits(setup, choices, profile);
+    spindle(setup, choices, profile);
+    setup.readings = if profile.allows_readings() { readings(choices) } else { Readings::default() };
+    setup.switches.block_delete = choices.chance(25) && allows(Feature::BlockDelete);
+    setup.switches.optional_stop = choices.chance(40) && allows(Feature::OptionalStop);
+    let code = choices.weighted(&[(80, TapeCode::Ascii), (12, TapeCode::Iso), (8, TapeCode::Eia)]);
+    setup.tape.code = if allows(Feature::TapeCode) { code } else { TapeCode::Ascii };
+    setup.inputs.turret_clamp_confirmed = !(choices.chance(20) && allows(Feature::Turret));
+    setup.inputs.restart = choices.chance(10) && allows(Feature::SystemVariable);
+    let variables = if allows(Feature::Variable) { choices.below(4) } else { 0 };
+    for _ in 0..variables {
         let value = choices.within(-99_999, 99_999) as f64 / 64.0;
         setup.variables.insert(format!("V{}", choices.within(1, 9)), value);
     }
-    setup
 }
 
 /// Whether an S, T or M function takes longer than the time check allows (E100L-STM-01).
@@ -45,28 +57,32 @@ pub fn is_over_time(setup: &Setup) -> bool {
     stm.enabled && [stm.s, stm.t, stm.m].iter().any(|time| *time > stm.limit)
 }
 
-fn parameters(setup: &mut Setup, choices: &mut Choices<'_, '_>) {
+fn parameters(setup: &mut Setup, choices: &mut Choices<'_, '_>, profile: &Profile) {
     let parameters = &mut setup.parameters;
     parameters.circular_radius_tolerance =
         Length(choices.pick(&[20_000, 20_000, 5_000, 1_000, 0, 1_000_000]));
     parameters.chamfering =
         choices.weighted(&[(50, Chamfering::AnyAngle), (35, Chamfering::Basic), (15, Chamfering::Off)]);
-    parameters.torque_limit_upper = choices.pick(&[100, 80, 50, 1]);
-    parameters.torque_monitor_delay = choices.pick(&[0, 0, 0, 1, 10, 9_999]);
+    if profile.allows(Feature::Torque) {
+        parameters.torque_limit_upper = choices.pick(&[100, 80, 50, 1]);
+        parameters.torque_monitor_delay = choices.pick(&[0, 0, 0, 1, 10, 9_999]);
+    }
     let options = &mut setup.options;
-    options.nose_radius_compensation = !choices.chance(25);
+    options.nose_radius_compensation = !(choices.chance(25) && profile.allows(Feature::Tool));
     options.offset_sets = choices.pick(&[32, 64, 96]);
-    options.w_axis = choices.chance(35);
-    options.user_task = if choices.chance(12) { 1 } else { 2 };
+    options.w_axis = choices.chance(35) && profile.allows(Feature::WAxis);
+    let tasks = profile.allows(Feature::Boolean) || profile.allows(Feature::Function);
+    options.user_task = if choices.chance(12) && tasks { 1 } else { 2 };
 }
 
 /// Start position, zero offset, tool data.
-fn amounts(setup: &mut Setup, choices: &mut Choices<'_, '_>) {
+fn amounts(setup: &mut Setup, choices: &mut Choices<'_, '_>, profile: &Profile) {
+    let tool = profile.allows(Feature::Tool);
     let length = |choices: &mut Choices<'_, '_>, most: i64| {
         let grid = choices.pick(&[1_000_000, 1_000]);
         Length(choices.within(-most * 1_000_000 / grid, most * 1_000_000 / grid) * grid)
     };
-    if choices.chance(50) {
+    if choices.chance(50) && profile.allows(Feature::ZeroShift) {
         setup.zero_offset = AxisAmounts {
             x: length(choices, 400),
             z: length(choices, 800),
@@ -83,19 +99,28 @@ fn amounts(setup: &mut Setup, choices: &mut Choices<'_, '_>) {
             w: Length(zero.w.0 + choices.within(-200_000, 200_000) * 1_000),
         };
     }
-    if choices.chance(60) {
+    if !profile.allows(Feature::CAxis) {
+        (setup.start.c, setup.zero_offset.c) = (Angle(0), Angle(0));
+    }
+    if !profile.allows(Feature::WAxis) {
+        (setup.start.w, setup.zero_offset.w) = (Length(0), Length(0));
+    }
+    if choices.chance(60) && tool {
         for number in 1..=4 {
             let (x, z) = (length(choices, 60), length(choices, 60));
             setup.tool_offset.push(ToolOffset { number, x, z });
         }
     }
-    if choices.chance(20) {
+    if choices.chance(20) && tool {
         setup.nose_radius.push(NoseRadius { number: 1, x: Length(-800_000), z: Length(-800_000) });
     }
 }
 
 /// Limits that leave room around the start.
-fn limits(setup: &mut Setup, choices: &mut Choices<'_, '_>) {
+fn limits(setup: &mut Setup, choices: &mut Choices<'_, '_>, profile: &Profile) {
+    if !profile.allows(Feature::Limits) {
+        return;
+    }
     let starts = [setup.start.x, setup.start.z, setup.start.w];
     let axes = [&mut setup.limits.x, &mut setup.limits.z, &mut setup.limits.w];
     for (limit, start) in axes.into_iter().zip(starts) {
@@ -105,10 +130,13 @@ fn limits(setup: &mut Setup, choices: &mut Choices<'_, '_>) {
             negative: choices.chance(25).then(|| Length(start.0 - away(choices))),
         };
     }
+    if !profile.allows(Feature::WAxis) {
+        setup.limits.w = Limit::default();
+    }
 }
 
-fn spindle(setup: &mut Setup, choices: &mut Choices<'_, '_>) {
-    if choices.chance(40) {
+fn spindle(setup: &mut Setup, choices: &mut Choices<'_, '_>, profile: &Profile) {
+    if choices.chance(40) && profile.allows(Feature::Gear) {
         setup.spindle.minimum = Speed(choices.pick(&[0, 50_000, 123_456]));
         setup.spindle.maximum = Speed(choices.pick(&[4_500_000, 6_000_000, 65_535_000]));
         for code in 40..=44 {
@@ -119,7 +147,7 @@ fn spindle(setup: &mut Setup, choices: &mut Choices<'_, '_>) {
             }
         }
     }
-    if choices.chance(25) {
+    if choices.chance(25) && profile.allows(Feature::TimeOver) {
         let stm = &mut setup.stm;
         stm.enabled = !choices.chance(20);
         stm.limit = Duration(choices.within(0, 600) * 100_000);

@@ -1,6 +1,6 @@
 //! Assignments to common variables and to the system variables of frame, tools, limits and stores.
 
-use turnspec_oracle::vocabulary::Length;
+use turnspec_oracle::vocabulary::{Feature, Length};
 
 use crate::builder::Builder;
 use crate::expression::{Expression, Variable};
@@ -23,7 +23,9 @@ impl Builder<'_, '_, '_> {
         }
         let mut items = Vec::new();
         for _ in 0..=self.choices.below(2) {
-            let item = if self.choices.chance(55) { self.common() } else { self.system() };
+            let common = self.choices.chance(55) && self.allows(Feature::Variable);
+            let item =
+                if common || !self.allows(Feature::SystemVariable) { self.common() } else { self.system() };
             items.push(item);
             self.state.begin_block();
         }

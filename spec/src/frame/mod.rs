@@ -5,46 +5,11 @@
 
 mod limits;
 
-pub use limits::{Limits, TravelLimit};
+pub use crate::integer::{Amounts, TravelLimit};
+pub use limits::Limits;
 
 use crate::vocabulary::{Action, Position};
 use crate::vocabulary::{Angle, FrameCause, Length, Setup, ToolOffsetSign};
-
-/// A full turn in micro-degrees.
-pub const FULL_TURN: i64 = 360_000_000;
-
-/// One amount an axis: X (as a diameter), Z and W in nanometres, C in micro-degrees.
-#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
-pub struct Amounts {
-    /// X.
-    pub x: i64,
-    /// Z.
-    pub z: i64,
-    /// C.
-    pub c: i64,
-    /// W.
-    pub w: i64,
-}
-
-impl Amounts {
-    fn of(amounts: &crate::vocabulary::AxisAmounts) -> Self {
-        Self { x: amounts.x.0, z: amounts.z.0, c: amounts.c.0, w: amounts.w.0 }
-    }
-
-    fn plus(self, other: Self, sign: i64) -> Self {
-        Self {
-            x: self.x + sign * other.x,
-            z: self.z + sign * other.z,
-            c: self.c + sign * other.c,
-            w: self.w + sign * other.w,
-        }
-    }
-
-    /// With C brought into a full turn.
-    fn turned(self) -> Self {
-        Self { c: self.c.rem_euclid(FULL_TURN), ..self }
-    }
-}
 
 /// The relation between program and machine coordinates, and where the machine is.
 #[derive(Clone, Debug)]

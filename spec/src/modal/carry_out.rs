@@ -8,7 +8,7 @@ use super::{feed, spindle, tool};
 use crate::controls::e100l::g_codes::{GCode, GGroup, g_code};
 use crate::emission::Emission;
 use crate::fault::Outcome;
-use crate::frame::FULL_TURN;
+use crate::integer::turn;
 use crate::state::State;
 use crate::vocabulary::rule_ids::*;
 use crate::vocabulary::{Action, FrameCause, InchConversion, Label, RuleId, RuleSet};
@@ -96,8 +96,7 @@ fn zero_shift(plan: &Plan, state: &mut State, emissions: &mut Vec<Emission>) {
         shift.x += words.get('X').map_or(0, |value| present.x - value);
         shift.z += words.get('Z').map_or(0, |value| present.z - value);
         if let Some(value) = words.get('C') {
-            // Whole turns say nothing of a rotary axis.
-            shift.c = (shift.c + present.c - value) % FULL_TURN;
+            shift.c = turn::shift(shift.c + present.c - value);
         }
         shift.w += words.get('W').map_or(0, |value| present.w - value);
         let rules = RuleSet::of(&[G50_01, G50_02, G50_03, G50_04]);

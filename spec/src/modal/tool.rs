@@ -1,14 +1,14 @@
 //! T words (E100L-TOOL-01 to -06).
 
 use crate::emission::Emission;
+use crate::integer::tool::parts;
 use crate::state::State;
 use crate::vocabulary::rule_ids::*;
 use crate::vocabulary::{Action, FrameCause, RuleSet};
 
 /// Carries a T word out: nose radius, tool and offset number, two digits each.
 pub fn command(number: i64, moves: bool, state: &mut State) -> (Emission, Option<Emission>) {
-    let pair = |value: i64| u8::try_from(value % 100).unwrap_or_default();
-    let (nose, tool, offset) = (pair(number / 10_000), pair(number / 100), pair(number));
+    let (nose, tool, offset) = parts(number);
     let before = state.frame.active_offset();
     // E100L-TOOL-05: tool number 00 keeps the station.
     let index = tool != 0 && tool != state.tool;

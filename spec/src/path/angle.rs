@@ -60,9 +60,6 @@ pub fn x_at(start: &Vector, inclination: Inclination, z: i64) -> Outcome<i64> {
         return Err(no_intersection());
     }
     let start_diameter = &start.x * whole(2);
-    if inclination.along_z() || run.is_zero() {
-        return Ok(narrow(&crate::quantity::round(&start_diameter)));
-    }
     let diameter = real::nearest_whole(|precision| {
         let rise = Interval::of(&(&run * whole(2)), precision)
             .mul(&real::tan_degrees(&inclination.degrees(), precision));

@@ -144,9 +144,9 @@ fn in_quadrant(start: Point, centre: Point, x: Option<i64>, z: Option<i64>, sens
     if inside < Exact::ZERO || other_square < Exact::ZERO {
         return none();
     }
-    // The coordinate grows or falls all the way through the quadrant; at a start on its axis it does so at
-    // once, as the other one tells.
-    let grows = if of_motion.is_zero() { inside > began } else { (of_motion * of_sign) > Exact::ZERO };
+    // The coordinate grows or falls all the way through the quadrant. Where its motion is zero at the start
+    // it is at its largest, and falls.
+    let grows = of_motion * of_sign > Exact::ZERO;
     let ahead = if grows { inside > began } else { inside < began };
     if !ahead {
         return none();

@@ -6,7 +6,8 @@ use super::element::{
 use super::target::{Ahead, angle_end, line_end, origin};
 use crate::emission::Emission;
 use crate::fault::{Outcome, fail};
-use crate::frame::{Amounts, FULL_TURN};
+use crate::frame::Amounts;
+use crate::integer::turn;
 use crate::modal::Plan;
 use crate::state::State;
 use crate::vocabulary::rule_ids::*;
@@ -82,11 +83,6 @@ fn c_target(plan: &Plan, state: &State) -> Outcome<Option<(i64, i64)>> {
         Some(value) if plan.modes.incremental() => present + value,
         Some(value) => value,
     };
-    let turns = turns.unwrap_or(0) * FULL_TURN;
-    let travel = if state.is_active(15) {
-        (target - present).rem_euclid(FULL_TURN) + turns
-    } else {
-        -(present - target).rem_euclid(FULL_TURN) - turns
-    };
-    Ok(Some((target.rem_euclid(FULL_TURN), travel)))
+    let travel = turn::travel(present, target, turns.unwrap_or(0), state.is_active(15));
+    Ok(Some((turn::within(target), travel)))
 }

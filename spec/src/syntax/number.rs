@@ -4,11 +4,9 @@ use super::cursor::Cursor;
 use super::source::is_ignored;
 use super::tree::Decimal;
 use crate::fault::{Fault, Outcome, fail};
+use crate::integer::Digits;
 use crate::vocabulary::AlarmName;
 use crate::vocabulary::rule_ids::*;
-
-/// E100L-DEC-04, E100L-TYPE-02, E100L-TYPE-03: digits of a number.
-const DIGITS: u32 = 8;
 
 /// A number and how many digits were written.
 pub struct Written {
@@ -19,9 +17,9 @@ pub struct Written {
 }
 
 impl Written {
-    /// The number, if it has no more than eight digits. `of_feed`: it is the number of an F word.
+    /// E100L-DEC-04, E100L-TYPE-02, E100L-TYPE-03: the number, if it has no more than eight digits. `of_feed`: it is the number of an F word.
     pub fn checked(self, of_feed: bool) -> Outcome<Decimal> {
-        if self.count <= DIGITS {
+        if self.count <= Digits::MOST {
             return Ok(self.number);
         }
         fail(
@@ -53,31 +51,22 @@ pub fn constant(cursor: &mut Cursor) -> Outcome<Decimal> {
 }
 
 fn digits(cursor: &mut Cursor, negative: bool, spaced: bool) -> Outcome<Written> {
-    let mut number = Decimal { digits: 0, scale: 0, point: false };
-    let mut count = 0;
+    let mut digits = Digits::default();
     loop {
         match cursor.peek() {
-            Some(digit @ b'0'..=b'9') => {
-                count += 1;
-                // Beyond the digits that are allowed the value does not matter.
-                if count <= DIGITS {
-                    number.digits = number.digits * 10 + i64::from(digit - b'0');
-                    number.scale += u32::from(number.point);
-                }
-            }
-            Some(b'.') if !number.point => number.point = true,
+            Some(digit @ b'0'..=b'9') => digits = digits.digit(digit - b'0'),
+            Some(b'.') if !digits.point => digits.point = true,
             Some(b'.') => return fail(AlarmName::NumberMalformed, FMT_01),
             Some(code) if spaced && is_ignored(code) => {}
             _ => break,
         }
         cursor.advance(1);
     }
+    let Digits { number, scale, point, count } = digits;
     if count == 0 {
         return fail(AlarmName::NumberMalformed, FMT_01);
     }
-    if negative {
-        number.digits = -number.digits;
-    }
+    let number = Decimal { digits: if negative { -number } else { number }, scale, point };
     Ok(Written { number, count })
 }
 

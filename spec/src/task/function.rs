@@ -3,6 +3,7 @@
 use super::number::{Number, finite, integer};
 use crate::controls::e100l::units;
 use crate::fault::{Outcome, fail};
+use crate::integer::decimal_code;
 use crate::quantity::{self, Exact, whole};
 use crate::real;
 use crate::syntax::Function;
@@ -92,29 +93,21 @@ fn atan2(ordinate: Number, abscissa: Number, system: UnitSystem) -> Outcome<Numb
 
 /// E100L-FUNC-10: the nibbles as decimal digits.
 fn from_bcd(pattern: i32) -> Outcome<Number> {
-    let mut value = 0;
-    for shift in (0..8).rev() {
-        let nibble = pattern.cast_unsigned() >> (4 * shift) & 0xF;
-        if nibble > 9 {
-            return fail(AlarmName::FunctionDomain, FUNC_10);
-        }
-        value = value * 10 + nibble;
+    match decimal_code::from_nibbles(pattern.cast_unsigned()) {
+        Some(value) => Ok(Number::Integer(value.cast_signed())),
+        None => fail(AlarmName::FunctionDomain, FUNC_10),
     }
-    Ok(Number::Integer(value.cast_signed()))
 }
 
 /// E100L-FUNC-11: the decimal digits as nibbles.
 fn to_bcd(argument: Number) -> Outcome<Number> {
     let value = quantity::cut(&argument.exact());
-    let Some(mut rest) = u32::try_from(value).ok().filter(|value| *value <= 99_999_999) else {
-        return fail(AlarmName::FunctionDomain, FUNC_11);
-    };
-    let mut pattern = 0;
-    for shift in 0..8 {
-        pattern |= (rest % 10) << (4 * shift);
-        rest /= 10;
+    match u32::try_from(value) {
+        Ok(value @ 0..=decimal_code::LARGEST) => {
+            Ok(Number::Integer(decimal_code::to_nibbles(value).cast_signed()))
+        }
+        _ => fail(AlarmName::FunctionDomain, FUNC_11),
     }
-    Ok(Number::Integer(pattern.cast_signed()))
 }
 
 /// E100L-FUNC-12, E100L-FUNC-13, E100L-FUNC-14.

@@ -5,7 +5,7 @@
 //! else, so that a mistake made once cannot hide in both.
 
 mod alarm;
-mod decimal;
+pub mod decimal;
 mod event;
 mod feature;
 mod label;

@@ -22,7 +22,7 @@ macro_rules! quantity {
             #[doc = concat!("Reads decimal text in ", $usual, ".")]
             #[must_use]
             pub fn parse(text: &str) -> Option<Self> {
-                decimal::parse(text, $decimals).map(Self)
+                decimal::parse(text.as_bytes(), $decimals).map(Self)
             }
         }
 
@@ -99,11 +99,12 @@ impl de::Visitor<'_> for DecimalVisitor {
 
     /// A float stands for its shortest decimal text: 0.1 is one tenth.
     fn visit_f64<E: de::Error>(self, value: f64) -> Result<i64, E> {
-        decimal::parse(&value.to_string(), self.decimals)
+        decimal::parse(value.to_string().as_bytes(), self.decimals)
             .ok_or_else(|| E::invalid_value(de::Unexpected::Float(value), &self))
     }
 
     fn visit_str<E: de::Error>(self, text: &str) -> Result<i64, E> {
-        decimal::parse(text, self.decimals).ok_or_else(|| E::invalid_value(de::Unexpected::Str(text), &self))
+        decimal::parse(text.as_bytes(), self.decimals)
+            .ok_or_else(|| E::invalid_value(de::Unexpected::Str(text), &self))
     }
 }

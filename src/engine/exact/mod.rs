@@ -89,37 +89,9 @@ pub fn sign(formula: &impl Formula, slow: &mut SlowPaths) -> Ordering {
     DIGITS.iter().find_map(|digits| formula.value::<Big>(*digits).certain_sign()).unwrap_or(Ordering::Equal)
 }
 
-/// `sqrt(square) / divisor`, rounded half away from zero. The square is below 2^120, the divisor at most
-/// 64, the result below 2^60.
-#[inline]
-pub fn root_over(square: u128, divisor: u64) -> i64 {
-    // (2 n - 1) / 2 <= sqrt(square) / divisor
-    let reaches = |candidate: u64| {
-        let edge = u128::from(divisor) * u128::from((2 * candidate).saturating_sub(1));
-        candidate == 0 || edge * edge <= 4 * square
-    };
-    #[allow(clippy::cast_precision_loss, clippy::cast_possible_truncation, clippy::cast_sign_loss)]
-    let mut candidate = (to_double(square).sqrt() / divisor as f64 + 0.5) as u64;
-    while !reaches(candidate) {
-        candidate -= 1;
-    }
-    while reaches(candidate + 1) {
-        candidate += 1;
-    }
-    candidate.cast_signed()
-}
-
-/// A wide number as `f64`, nearly.
-#[inline]
-#[allow(clippy::cast_precision_loss, clippy::cast_possible_truncation)]
-fn to_double(value: u128) -> f64 {
-    let (high, low) = ((value >> 64) as u64, value as u64);
-    high as f64 * 18_446_744_073_709_551_616.0 + low as f64
-}
-
 #[cfg(test)]
 mod tests {
-    use super::{Formula, Real, SlowPaths, root_over, round, sign};
+    use super::{Formula, Real, SlowPaths, round, sign};
     use std::cmp::Ordering;
 
     /// (a + b * sqrt(c)) / d
@@ -154,16 +126,5 @@ mod tests {
         assert_eq!(sign(&Surd(-n, 1, n * n + 1, 1), &mut slow), Ordering::Greater);
         assert_eq!(sign(&Surd(-n, 1, n * n - 1, 1), &mut slow), Ordering::Less);
         assert_eq!(slow.signs, 3);
-    }
-
-    #[test]
-    fn roots_round_half_up() {
-        assert_eq!(root_over(0, 2), 0);
-        // sqrt(25) / 2 = 2.5; sqrt(24) / 2 = 2.449...
-        assert_eq!(root_over(25, 2), 3);
-        assert_eq!(root_over(24, 2), 2);
-        let n = 300_000_000_000_u128;
-        assert_eq!(root_over(n * n + n, 1), 300_000_000_000);
-        assert_eq!(root_over(n * n + n + 1, 1), 300_000_000_001);
     }
 }

@@ -136,7 +136,8 @@ impl Builder<'_, '_, '_> {
 
     /// A block of more than 158 characters: by a comment, by blanks, by words.
     fn long_block(&mut self) -> bool {
-        let more = self.choices.within(0, 60) as usize;
+        // Often by one character.
+        let more = if self.choices.chance(30) { 0 } else { self.choices.within(0, 60) as usize };
         let text = match self.choices.below(4) {
             0 => format!("M08 ({})", "A".repeat(153 + more)),
             1 => format!("X5{}", " ".repeat(157 + more)),

@@ -1,0 +1,148 @@
+"""An E100L program in the words of rs274, token by token.
+
+The translation renames words and knows nothing of what they do: modes, travels, arcs and feeds are worked out
+by rs274. What the two dialects do not share is refused (`LEDGER.md` lists it, and what is levelled here).
+"""
+
+import re
+from decimal import Decimal
+
+G_CODES = {0, 1, 2, 3, 4, 90, 91, 94, 95, 97}
+M_CODES = {0, 1, 2, 3, 4, 5, 8, 9, 30}
+PROGRAM_ENDS = {2, 30}
+
+# Lathe in the Z-X plane, X as a diameter, millimetres, no compensation: what an E100L is built as. The modes
+# are those of its power-on. rs274 refuses feed per revolution while the spindle speed is 0, so that it gets one
+# that its four decimals print as 0.
+PRELUDE = "G7 G18 G21 G40 G90 G95 S0.00001"
+
+BLANKS = re.compile(r"(?:[ \t\r\x7f\x08]+|\([^)]*\))*")
+COMMENT = re.compile(r"\(([^)]*)\)")
+SEQUENCE = re.compile(r"N(?!OEX)([A-Z][A-Z0-9]{0,4}|[0-9]{1,5})(?=[ \t\r\x7f\x08/(]|$)")
+IGNORED = "[ \r\x7f\x08]*"
+WORD = re.compile(rf"([A-Z])(?![A-Z]){IGNORED}=?{IGNORED}([+-]?{IGNORED}(?:[0-9]{IGNORED}|\.{IGNORED})+)")
+MAJOR_ARC = re.compile("CALRG(?![A-Z0-9])")
+NUMBER = re.compile(r"[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)")
+
+
+class NotShared(Exception):
+    """The program, or the machine, needs something that rs274 does not have or means otherwise."""
+
+
+class Block:
+    """One block: its line, its sequence name, its words, and its text for rs274."""
+
+    def __init__(self, line, text):
+        self.line = line
+        place = BLANKS.match(text).end()
+        self.is_optional, place = slash(text, place)
+        self.sequence, place = sequence_name(text, place)
+        if not self.is_optional:
+            self.is_optional, place = slash(text, place)
+        self.words = words(text, place)
+        self.text = self.translated([comment[1] for comment in COMMENT.finditer(text)])
+
+    def translated(self, comments):
+        parts = [f"N{self.line}"] if self.words else []
+        parts += [word(address, number, self.words) for address, number in self.words if address != "CALRG"]
+        parts += [f"(- {plain(comment)})" for comment in comments]
+        return ("/" if self.is_optional else "") + " ".join(parts)
+
+    def moves(self):
+        """Whether the block has a word that asks for motion."""
+        return any(address in "XZIKL" for address, _ in self.words)
+
+    def ends_program(self):
+        return any(address == "M" and int(number) in PROGRAM_ENDS for address, number in self.words)
+
+
+def translate(program, setup):
+    """The blocks as far as they are shared, and why the rest is not; `None` if all of them are."""
+    blocks = []
+    for line, text in enumerate(program.split("\n"), 1):
+        try:
+            block = Block(line, text)
+        except NotShared as reason:
+            return blocks, f"line {line}: {reason}"
+        blocks.append(block)
+        is_skipped = block.is_optional and setup["switches"]["block_delete"]
+        if block.ends_program() and not is_skipped:
+            break                                               # nothing behind it is read
+    return blocks, None
+
+
+def demand_shared_machine(setup):
+    if setup["control"] != "e100l" or setup["unit_system"] != "1mm" or setup["tape"]["code"] != "ascii":
+        raise NotShared("another control, unit system or tape code")
+    if any(setup["limits"].get(axis) for axis in "xz") or setup["options"]["w_axis"]:
+        raise NotShared("travel limits, or a W axis")
+
+
+def program_text(blocks, setup):
+    """The program for rs274: the machine is prepared, then brought to the place where it starts."""
+    x, z = (Decimal(str(setup["start"][axis])) - Decimal(str(setup["zero_offset"][axis])) for axis in "xz")
+    return "\n".join([PRELUDE, f"G0 X{x} Z{z}", *(block.text for block in blocks), ""])
+
+
+def slash(text, place):
+    is_there = text.startswith("/", place)
+    return is_there, BLANKS.match(text, place + is_there).end()
+
+
+def sequence_name(text, place):
+    found = SEQUENCE.match(text, place)
+    if not found:
+        return None, place
+    return "N" + found[1], BLANKS.match(text, found.end()).end()
+
+
+def words(text, place):
+    found_words = []
+    while place < len(text):
+        if found := WORD.match(text, place):
+            found_words.append((found[1], shared_number(found[1], re.sub(IGNORED, "", found[2]))))
+        elif found := MAJOR_ARC.match(text, place):
+            found_words.append(("CALRG", ""))
+        else:
+            raise NotShared(repr(text[place:]))
+        place = BLANKS.match(text, found.end()).end()
+    if ("CALRG", "") in found_words and not any(address == "L" for address, _ in found_words):
+        raise NotShared("CALRG without L")
+    return found_words
+
+
+def shared_number(address, text):
+    """The number, if both would take it for the same value."""
+    if not NUMBER.fullmatch(text) or sum(character.isdigit() for character in text) > 8:
+        raise NotShared(f"number {text}")
+    decimals = len(text.partition(".")[2].rstrip("0"))
+    if address == "G":
+        if not re.fullmatch("[0-9]{1,3}", text) or int(text) not in G_CODES:
+            raise NotShared(f"G{text}")
+    elif address == "M":
+        if Decimal(text) not in M_CODES:
+            raise NotShared(f"M{text}")
+        return str(int(Decimal(text)))
+    elif address in "XZIKL":
+        if decimals > 3:
+            raise NotShared(f"{address}{text}: a fraction of the increment")
+    elif address == "S":
+        if decimals or Decimal(text) == 0:
+            raise NotShared(f"S{text}: a fraction of the unit, or no speed")
+    elif address != "F":
+        raise NotShared(f"address {address}")
+    return text
+
+
+def word(address, number, others):
+    """A word for rs274: a dwell has its time in P, an arc its radius in R, and the major arc has R negative."""
+    if address == "F" and any(other == "G" and int(code) == 4 for other, code in others):
+        return f"P{number}"
+    if address == "L":
+        return f"R{-Decimal(number) if ('CALRG', '') in others else number}"
+    return address + number
+
+
+def plain(comment):
+    """The text of a comment without what a comment of rs274 must not hold."""
+    return "".join(character if " " <= character < "\x7f" and character != "(" else "." for character in comment)

@@ -1,0 +1,167 @@
+//! What an implementation needs for a program: one criterion a feature, judged by the words of the program,
+//! the set-up and the trace.
+//!
+//! Words behind the block that ends the run do not count.
+
+use std::collections::BTreeSet;
+
+use turnspec_oracle::vocabulary::{
+    Action, Event, Feature, FrameCause, Limits, Setup, SpindleName, TapeCode, UnitSystem,
+};
+
+use crate::words::Words;
+
+/// The features that a program needs. `trace` is what the control does with it.
+#[must_use]
+pub fn features_of(program: &[u8], setup: &Setup, trace: &[Event]) -> BTreeSet<Feature> {
+    let end = trace.last().map_or(program.len(), |event| event.block.end as usize);
+    let words = Words::of(program.get(..end).unwrap_or(program), setup.tape.code);
+    let evidence = Evidence { words, setup, trace };
+    CRITERIA
+        .iter()
+        .filter(|criterion| (criterion.holds)(&evidence))
+        .map(|criterion| criterion.feature)
+        .collect()
+}
+
+/// When a program needs a feature.
+pub struct Criterion {
+    /// The feature.
+    pub feature: Feature,
+    /// The criterion in words.
+    pub text: &'static str,
+    holds: fn(&Evidence) -> bool,
+}
+
+macro_rules! criteria {
+    ($($feature:ident $text:literal $holds:expr;)*) => {
+        /// The criterion of every feature.
+        pub const CRITERIA: &[Criterion] =
+            &[$(Criterion { feature: Feature::$feature, text: $text, holds: $holds }),*];
+    };
+}
+
+criteria! {
+    Absolute "G90" |has| has.g(&[90]);
+    Alarm "the trace ends in an alarm" |has| has.kind(|action| matches!(action, Action::Alarm(_)));
+    AnyAngle "address A; a rule of ANG" |has| has.letter('A') || has.area(&["ANG"]);
+    Arc "G02, G03; an `arc` event" |has| has.g(&[2, 3]) || has.kind(|action| matches!(action, Action::Arc { .. }));
+    Aux "an `aux` event" |has| has.kind(|action| matches!(action, Action::Aux { .. }));
+    BlockDelete "a slash in front of a block or behind its sequence name" |has| has.words.slash;
+    Boolean "AND, OR, EOR, NOT" |has| has.words.boolean;
+    CAxis "address C; M109, M110; a rule of CAX, CFEED" |has| has.letter('C') || has.m(&[109, 110])
+        || has.area(&["CAX", "CFEED"]);
+    Chamfer "G75" |has| has.g(&[75]);
+    Comment "a parenthesis" |has| has.words.comment;
+    Coolant "a `coolant` event" |has| has.kind(|action| matches!(action, Action::Coolant { .. }));
+    CuttingSpeed "G96" |has| has.g(&[96]);
+    Dwell "G04" |has| has.g(&[4]);
+    Expression "an operator, a function, a bracket other than a plain subscript, a variable as a value"
+        |has| has.words.expression;
+    Feed "address F; G94, G95" |has| has.letter('F') || has.g(&[94, 95]);
+    Function "a name with brackets that is no variable" |has| has.words.function;
+    Gear "M40 to M44; gears in the set-up" |has| has.m(&[40, 41, 42, 43, 44]) || !has.setup.spindle.gear.is_empty();
+    Incremental "G91" |has| has.g(&[91]);
+    Limits "travel limits in the set-up; a rule of LIM" |has| has.setup.limits != Limits::default()
+        || has.area(&["LIM"]);
+    Linear "G01; a `linear` event" |has| has.g(&[1]) || has.kind(|action| matches!(action, Action::Linear { .. }));
+    MTool "address SB; a command to the spindle `tool`" |has| has.name("SB") || has.spindle(SpindleName::Tool);
+    OptionalStop "M01" |has| has.m(&[1]);
+    ProgramName "a program name, a file header, a percent sign" |has| has.words.program_name;
+    Rapid "G00; a `rapid` event" |has| has.g(&[0]) || has.kind(|action| matches!(action, Action::Rapid { .. }));
+    Rounding "G76" |has| has.g(&[76]);
+    SequenceName "a sequence name" |has| has.words.sequence;
+    Spindle "address S; M03, M04, M05, M19; a command to the spindle `main`" |has| has.letter('S')
+        || has.m(&[3, 4, 5, 19]) || has.spindle(SpindleName::Main);
+    SystemVariable "a variable with a name" |has| !has.words.system_variables.is_empty();
+    TapeCode "another code than `ascii` in the set-up" |has| has.setup.tape.code != TapeCode::Ascii;
+    TimeOver "the check enabled in the set-up" |has| has.setup.stm.enabled;
+    Tool "address T; a `tool` event" |has| has.letter('T') || has.kind(|action| matches!(action, Action::Tool { .. }));
+    Torque "G22, G28, G29" |has| has.g(&[22, 28, 29]);
+    Turret "G13, G14; a rule of TUR, TUNC" |has| has.g(&[13, 14]) || has.area(&["TUR", "TUNC"]);
+    Units "another unit system than `1mm` in the set-up; G20, G21" |has|
+        has.setup.unit_system != UnitSystem::Millimetre || has.g(&[20, 21]);
+    Variable "a variable with a number; variables in the set-up" |has| has.words.variable
+        || !has.setup.variables.is_empty();
+    WAxis "address W; the axis in the set-up" |has| has.letter('W') || has.setup.options.w_axis;
+    ZeroShift "G50 in a block with X, Z, C or W; a variable VZSH…; a `frame` event of the zero shift" |has|
+        has.words.zero_shift || has.system_variable("VZSH") || has.kind(|action| {
+            matches!(action, Action::Frame { cause: FrameCause::ZeroShift, .. })
+        });
+}
+
+/// What the criteria look at.
+struct Evidence<'a> {
+    words: Words,
+    setup: &'a Setup,
+    trace: &'a [Event],
+}
+
+impl Evidence<'_> {
+    fn g(&self, codes: &[u32]) -> bool {
+        codes.iter().any(|code| self.words.g.contains(code))
+    }
+
+    fn m(&self, codes: &[u32]) -> bool {
+        codes.iter().any(|code| self.words.m.contains(code))
+    }
+
+    fn letter(&self, letter: char) -> bool {
+        self.words.letters.contains(&letter)
+    }
+
+    fn name(&self, name: &str) -> bool {
+        self.words.names.contains(name)
+    }
+
+    fn system_variable(&self, beginning: &str) -> bool {
+        self.words.system_variables.iter().any(|name| name.starts_with(beginning))
+    }
+
+    fn kind(&self, of: impl Fn(&Action) -> bool) -> bool {
+        self.trace.iter().any(|event| of(&event.action))
+    }
+
+    fn spindle(&self, name: SpindleName) -> bool {
+        self.kind(|action| matches!(action, Action::Spindle(spindle) if spindle.spindle == name))
+    }
+
+    /// Whether an event cites a rule of one of the areas.
+    fn area(&self, areas: &[&str]) -> bool {
+        let rules = self.trace.iter().flat_map(|event| event.rules.as_slice());
+        rules.filter_map(|rule| rule.as_str().split('-').nth(1)).any(|area| areas.contains(&area))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use turnspec_oracle::vocabulary::{Event, Feature, Setup};
+
+    use super::{CRITERIA, features_of};
+
+    fn names(program: &str) -> Vec<&'static str> {
+        let (mut trace, setup) = (Vec::new(), Setup::default());
+        turnspec_oracle::run(program.as_bytes(), &setup, &mut |event: &Event| trace.push(*event));
+        features_of(program.as_bytes(), &setup, &trace).into_iter().map(Feature::as_str).collect()
+    }
+
+    #[test]
+    fn every_feature_has_one_criterion() {
+        let features: Vec<Feature> = CRITERIA.iter().map(|criterion| criterion.feature).collect();
+        assert_eq!(features, Feature::ALL);
+    }
+
+    #[test]
+    fn features_follow_from_words_and_trace() {
+        assert_eq!(names("M02\n"), Vec::<&str>::new());
+        assert_eq!(names("X1\nM02\n"), ["rapid"]);
+        assert_eq!(names("N1 G01 X1 F0.1\nM02\n"), ["feed", "linear", "sequence-name"]);
+        assert_eq!(names("G01 X1\nM02\n"), ["alarm", "linear"]);
+        assert_eq!(names("V1=VRSTT+1\nM02\n"), ["expression", "system-variable", "variable"]);
+    }
+
+    #[test]
+    fn words_behind_the_end_do_not_count() {
+        assert_eq!(names("M02\nG02 X1\n"), Vec::<&str>::new());
+    }
+}

@@ -1,0 +1,105 @@
+//! What codes, variables and the values of a set-up need of an implementation.
+
+use turnspec_oracle::vocabulary::{AxisAmounts, Feature, Setup, TapeCode, UnitSystem};
+
+use crate::profile::Features;
+
+/// What an M code needs that is not known.
+pub(crate) const ANY_M_CODE: &[Feature] = &[
+    Feature::Aux,
+    Feature::CAxis,
+    Feature::Coolant,
+    Feature::Gear,
+    Feature::MTool,
+    Feature::OptionalStop,
+    Feature::Spindle,
+    Feature::TimeOver,
+    Feature::Turret,
+];
+
+/// What an M code needs.
+pub(crate) fn of_m_code(code: i64) -> &'static [Feature] {
+    match code {
+        0 | 1 => &[Feature::OptionalStop],
+        2 | 30 => &[],
+        3 | 4 | 5 | 19 => &[Feature::Spindle],
+        8 | 9 => &[Feature::Coolant],
+        12..=14 | 152 | 153 | 240..=244 => &[Feature::MTool],
+        15 | 16 | 109 | 110 | 146 | 147 => &[Feature::CAxis],
+        40..=44 => &[Feature::Gear, Feature::Spindle],
+        124 | 125 => &[Feature::TimeOver],
+        203 => &[Feature::Turret],
+        _ => &[Feature::Aux],
+    }
+}
+
+/// What a G code needs by itself.
+pub(crate) fn of_g_code(code: i64) -> &'static [Feature] {
+    match code {
+        0 => &[Feature::Rapid],
+        1 => &[Feature::Linear],
+        2 | 3 => &[Feature::Arc],
+        4 => &[Feature::Dwell],
+        13 | 110 => &[Feature::Turret],
+        18 | 40 | 64 | 65 => &[Feature::Aux],
+        22 | 28 | 29 => &[Feature::Torque],
+        50 => &[],
+        75 => &[Feature::Chamfer],
+        76 => &[Feature::Rounding],
+        90 => &[Feature::Absolute],
+        91 => &[Feature::Incremental],
+        94 | 95 => &[Feature::Feed],
+        96 | 97 => &[Feature::CuttingSpeed],
+        _ => &[Feature::Alarm],
+    }
+}
+
+/// What a system variable needs.
+pub(crate) fn of_system_variable(name: &[u8]) -> Features {
+    let mut needs = Features::of(&[Feature::SystemVariable]);
+    match name.get(..4).unwrap_or(name) {
+        b"VZSH" => needs.add(&[Feature::ZeroShift]),
+        b"VPVL" | b"VNVL" => needs.add(&[Feature::Limits]),
+        b"VTOF" | b"VNSR" | b"VETF" | b"VETO" | b"VETL" => needs.add(&[Feature::Tool]),
+        _ => {}
+    }
+    match name.last() {
+        Some(b'C') => needs.add(&[Feature::CAxis]),
+        Some(b'W') => needs.add(&[Feature::WAxis]),
+        _ => {}
+    }
+    needs
+}
+
+/// What a set-up needs.
+pub(crate) fn of_setup(setup: &Setup) -> Features {
+    let plain = Setup::default();
+    let axis = |amounts: AxisAmounts| (amounts.c.0 != 0, amounts.w.0 != 0);
+    let (c_start, w_start) = axis(setup.start);
+    let (c_zero, w_zero) = axis(setup.zero_offset);
+    let limits = &setup.limits;
+    let list = [
+        (setup.unit_system != UnitSystem::Millimetre, Feature::Units),
+        (setup.tape.code != TapeCode::Ascii, Feature::TapeCode),
+        (setup.switches.block_delete, Feature::BlockDelete),
+        (setup.switches.optional_stop, Feature::OptionalStop),
+        (setup.options.w_axis || w_start || w_zero || limits.w != plain.limits.w, Feature::WAxis),
+        (c_start || c_zero, Feature::CAxis),
+        (setup.zero_offset != plain.zero_offset, Feature::ZeroShift),
+        (setup.tool_offset != plain.tool_offset || setup.nose_radius != plain.nose_radius, Feature::Tool),
+        (*limits != plain.limits, Feature::Limits),
+        (setup.spindle != plain.spindle, Feature::Gear),
+        (setup.stm != plain.stm, Feature::TimeOver),
+        (!setup.inputs.torque_stops.is_empty(), Feature::Torque),
+        (!setup.inputs.turret_clamp_confirmed, Feature::Turret),
+        (setup.inputs.restart, Feature::SystemVariable),
+        (!setup.variables.is_empty(), Feature::Variable),
+    ];
+    let mut needs = Features::default();
+    for (needed, feature) in list {
+        if needed {
+            needs.add(&[feature]);
+        }
+    }
+    needs
+}

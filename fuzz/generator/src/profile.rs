@@ -1,0 +1,131 @@
+//! Which features generated programs and set-ups may need of an implementation.
+
+use turnspec_oracle::vocabulary::{Chamfering, Feature, Setup};
+
+use crate::case::Case;
+use crate::needs;
+use crate::scan;
+use crate::state::Mode;
+use crate::tape;
+
+/// What a program may need of an implementation: a set of features.
+///
+/// Where no feature names a piece of the language it goes with the nearest one:
+///
+/// | piece | feature |
+/// |---|---|
+/// | continuation lines | `program-name` |
+/// | control characters, TAB and CR | `tape-code` |
+/// | M00 | `optional-stop` |
+/// | G13, G110 | `turret` |
+/// | G18, G40, G64, G65 | `aux` |
+/// | M152, M153 | `m-tool` |
+/// | `=` before a single number | `expression` |
+/// | zero offset of the set-up | `zero-shift` |
+/// | lowest and highest speed of the spindle | `gear` |
+///
+/// M02 and M30 are always there. Readings other than the default ones occur with every feature allowed, or on
+/// request.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Profile {
+    features: Features,
+    readings: bool,
+}
+
+impl Profile {
+    /// Everything.
+    pub const FULL: Self = Self { features: Features::of(Feature::ALL), readings: true };
+
+    /// Programs that need nothing but these features.
+    #[must_use]
+    pub fn of(features: &[Feature]) -> Self {
+        let features = Features::of(features);
+        Self { features, readings: features == Self::FULL.features }
+    }
+
+    /// The same features, with set-ups of any readings.
+    #[must_use]
+    pub fn with_readings(self) -> Self {
+        Self { readings: true, ..self }
+    }
+
+    /// Whether a feature is allowed.
+    #[must_use]
+    pub fn allows(&self, feature: Feature) -> bool {
+        self.features.contains(Features::of(&[feature]))
+    }
+
+    /// Whether set-ups may choose readings.
+    #[must_use]
+    pub fn allows_readings(&self) -> bool {
+        self.readings
+    }
+
+    /// Whether every feature is allowed.
+    #[must_use]
+    pub fn is_full(&self) -> bool {
+        self.features == Self::FULL.features
+    }
+
+    /// Whether a case stays within the profile, as far as its words tell: the same test that the generator
+    /// applies to every block, for programs that were changed since, by [`crate::shrink`] for example.
+    ///
+    /// It does not tell whether the program runs into an alarm; an illegal character or an unknown word counts as
+    /// one.
+    #[must_use]
+    pub fn permits(&self, case: &Case) -> bool {
+        let text = tape::decode(&case.program, case.setup.tape.code);
+        self.permits_setup(&case.setup) && self.permits_text(&text, Mode::Rapid)
+    }
+
+    /// Whether corners must be cut in the basic form: an any-angle corner looks ahead to its next line.
+    pub(crate) fn has_basic_corners(&self) -> bool {
+        let corners = self.allows(Feature::Chamfer) || self.allows(Feature::Rounding);
+        corners && !self.allows(Feature::AnyAngle)
+    }
+
+    /// Whether a set-up stays within the profile.
+    fn permits_setup(&self, setup: &Setup) -> bool {
+        let any_angle = setup.parameters.chamfering == Chamfering::AnyAngle;
+        self.features.contains(needs::of_setup(setup))
+            && (self.readings || setup.readings == Setup::default().readings)
+            && !(any_angle && self.has_basic_corners())
+    }
+
+    /// Whether a text that begins in a motion mode stays within the profile.
+    pub(crate) fn permits_text(&self, text: &[u8], mode: Mode) -> bool {
+        self.is_full() || self.features.contains(scan::needs_of(text, mode))
+    }
+}
+
+/// A set of features.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub(crate) struct Features(u64);
+
+impl Features {
+    /// The set of these features.
+    pub const fn of(features: &[Feature]) -> Self {
+        let mut bits = 0;
+        let mut place = 0;
+        while place < features.len() {
+            bits |= 1 << features[place] as u32;
+            place += 1;
+        }
+        Self(bits)
+    }
+
+    /// The features of both sets.
+    pub fn and(self, other: Self) -> Self {
+        Self(self.0 | other.0)
+    }
+
+    /// Adds features.
+    pub fn add(&mut self, features: &[Feature]) {
+        self.0 |= Self::of(features).0;
+    }
+
+    /// Whether it holds every feature of another set.
+    pub fn contains(self, other: Self) -> bool {
+        other.0 & !self.0 == 0
+    }
+}

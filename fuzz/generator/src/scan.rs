@@ -1,0 +1,265 @@
+//! What a text needs of an implementation.
+//!
+//! A scan of letters and digits that knows no grammar: it may ask for a feature too many in a faulty text,
+//! never for one too few.
+
+use turnspec_oracle::vocabulary::Feature;
+
+use crate::needs;
+use crate::profile::Features;
+use crate::state::Mode;
+
+/// Two-letter addresses.
+const EXTENDED: [(&[u8], Feature); 5] = [
+    (b"SB", Feature::MTool),
+    (b"SA", Feature::CAxis),
+    (b"QA", Feature::CAxis),
+    (b"PZ", Feature::Torque),
+    (b"PW", Feature::Torque),
+];
+const COMPARISONS: [&[u8]; 6] = [b"LT", b"LE", b"EQ", b"NE", b"GT", b"GE"];
+const BOOLEAN: [&[u8]; 4] = [b"AND", b"OR", b"EOR", b"NOT"];
+const FUNCTIONS: [&[u8]; 15] = [
+    b"SIN", b"COS", b"TAN", b"ATAN", b"SQRT", b"ABS", b"BIN", b"BCD", b"ROUND", b"FIX", b"FUP", b"DROUND",
+    b"DFIX", b"DFUP", b"MOD",
+];
+
+/// What a text needs that begins in a motion mode.
+pub(crate) fn needs_of(text: &[u8], mode: Mode) -> Features {
+    let mut scan = Scan { text, at: 0, needs: Features::default(), mode, block: Words::default() };
+    if text.first() == Some(&b'$') {
+        scan.needs.add(&[Feature::ProgramName]);
+        scan.at = text.iter().position(|byte| *byte == b'\n').unwrap_or(text.len());
+    }
+    while let Some(byte) = text.get(scan.at).copied() {
+        scan.token(byte);
+    }
+    scan.end_of_block();
+    scan.needs
+}
+
+/// Words of a block that mean something together only.
+#[derive(Default)]
+struct Words {
+    begun: bool,
+    equal: bool,
+    dwell: bool,
+    shift: bool,
+    speed: bool,
+    one_shot: bool,
+    feed: bool,
+    axis: bool,
+}
+
+struct Scan<'t> {
+    text: &'t [u8],
+    at: usize,
+    needs: Features,
+    mode: Mode,
+    block: Words,
+}
+
+impl Scan<'_> {
+    fn peek(&self) -> u8 {
+        self.text.get(self.at).copied().unwrap_or_default()
+    }
+
+    /// One character, or a run of letters with what belongs to it.
+    fn token(&mut self, byte: u8) {
+        if byte.is_ascii_uppercase() {
+            return self.letters();
+        }
+        self.at += 1;
+        match byte {
+            b'\n' => self.line_end(),
+            b' ' => {}
+            b'\t' | b'\r' | 0x08 | 0x7F => self.needs.add(&[Feature::TapeCode]),
+            b'(' => self.comment(),
+            b'/' if self.block.equal => self.needs.add(&[Feature::Expression]),
+            b'/' => self.needs.add(&[Feature::BlockDelete]),
+            b'%' | b':' => self.needs.add(&[Feature::ProgramName]),
+            b'[' | b']' | b'*' | b'$' | b',' | b'=' => self.needs.add(&[Feature::Expression]),
+            b'+' | b'-' if self.after_operand() => self.needs.add(&[Feature::Expression]),
+            b'+' | b'-' | b'.' | b'0'..=b'9' => {}
+            b'!'..=b'~' => self.needs.add(&[Feature::Alarm]),
+            _ => self.needs.add(&[Feature::TapeCode, Feature::Alarm]),
+        }
+        self.block.equal |= byte == b'=';
+    }
+
+    /// Whether what stands before the character just read can end an operand.
+    fn after_operand(&self) -> bool {
+        let before = self.text.get(..self.at - 1).unwrap_or_default();
+        let last = before.iter().rev().find(|byte| **byte != b' ');
+        last.is_some_and(|last| last.is_ascii_digit() || matches!(last, b']' | b'.'))
+    }
+
+    fn comment(&mut self) {
+        self.needs.add(&[Feature::Comment]);
+        let rest = self.text.get(self.at..).unwrap_or_default();
+        let length = rest.iter().position(|byte| matches!(byte, b')' | b'\n')).unwrap_or(rest.len());
+        let remark = rest.get(..length).unwrap_or_default();
+        if remark.iter().any(|byte| !(0x20..=0x7E).contains(byte)) {
+            self.needs.add(&[Feature::TapeCode]);
+        }
+        self.at += length;
+        if self.peek() == b')' {
+            self.at += 1;
+        } else {
+            self.needs.add(&[Feature::Alarm]);
+        }
+    }
+
+    /// The end of a line, of a block too unless the next line continues it.
+    fn line_end(&mut self) {
+        if self.peek() == b'$' {
+            self.needs.add(&[Feature::ProgramName]);
+            self.at += 1;
+        } else {
+            self.end_of_block();
+        }
+    }
+
+    fn end_of_block(&mut self) {
+        let block = std::mem::take(&mut self.block);
+        if block.feed && !block.dwell {
+            self.needs.add(&[Feature::Feed]);
+        }
+        if block.shift && (block.axis || !block.speed) {
+            self.needs.add(&[Feature::ZeroShift]);
+        } else if block.axis && !block.shift && !block.one_shot {
+            self.needs.add(match self.mode {
+                Mode::Rapid => &[Feature::Rapid],
+                Mode::Linear => &[Feature::Linear],
+                Mode::Clockwise | Mode::CounterClockwise => &[Feature::Arc],
+            });
+        }
+    }
+
+    /// A name, a keyword or an address.
+    fn letters(&mut self) {
+        let first = !std::mem::replace(&mut self.block.begun, true);
+        let start = self.at;
+        if first && matches!(self.peek(), b'N' | b'O') {
+            let name = if self.peek() == b'N' { Feature::SequenceName } else { Feature::ProgramName };
+            self.needs.add(&[name]);
+            self.pass(|byte| byte.is_ascii_alphanumeric());
+            return;
+        }
+        self.pass(|byte| byte.is_ascii_uppercase());
+        let text = self.text;
+        let run = text.get(start..self.at).unwrap_or_default();
+        match run {
+            [letter] => self.word(*letter),
+            [b'V', ..] => self.needs = self.needs.and(needs::of_system_variable(run)),
+            b"CALRG" => self.needs.add(&[Feature::Arc]),
+            _ => self.keyword(run),
+        }
+    }
+
+    fn keyword(&mut self, run: &[u8]) {
+        if let Some((_, feature)) = EXTENDED.iter().find(|(address, _)| *address == run) {
+            self.needs.add(&[*feature]);
+            if run == b"PW" {
+                self.needs.add(&[Feature::WAxis]);
+            }
+            self.block.axis |= run == b"QA";
+            self.equal_sign();
+        } else if COMPARISONS.contains(&run) {
+            self.needs.add(&[Feature::Expression]);
+        } else if BOOLEAN.contains(&run) {
+            self.needs.add(&[Feature::Expression, Feature::Boolean]);
+        } else if FUNCTIONS.contains(&run) {
+            self.needs.add(&[Feature::Expression, Feature::Function]);
+        } else {
+            self.needs.add(&[Feature::Alarm]);
+        }
+    }
+
+    /// Passes over the equal sign of an extended address, which is no expression yet.
+    fn equal_sign(&mut self) {
+        self.pass(|byte| byte == b' ');
+        if self.peek() == b'=' {
+            self.at += 1;
+            self.block.equal = true;
+        }
+    }
+
+    fn pass(&mut self, belongs: impl Fn(u8) -> bool) {
+        while self.at < self.text.len() && belongs(self.peek()) {
+            self.at += 1;
+        }
+    }
+
+    /// A word of one letter.
+    fn word(&mut self, letter: u8) {
+        // A variable goes on with the value of a word, another letter begins the next word.
+        self.block.equal &= letter == b'V';
+        let needs: &[Feature] = match letter {
+            b'G' => {
+                let code = self.code().unwrap_or(-1);
+                self.note_g(code);
+                needs::of_g_code(code)
+            }
+            b'M' => self.code().map_or(needs::ANY_M_CODE, needs::of_m_code),
+            b'V' if self.peek().is_ascii_digit() => &[Feature::Variable],
+            b'V' => &[Feature::SystemVariable, Feature::Alarm],
+            b'X' | b'Z' | b'L' => &[],
+            b'I' | b'K' => &[Feature::Arc],
+            b'A' => &[Feature::AnyAngle],
+            b'C' => &[Feature::CAxis],
+            b'W' => &[Feature::WAxis],
+            b'D' => &[Feature::Torque],
+            b'F' => &[],
+            b'S' => &[Feature::Spindle],
+            b'T' => &[Feature::Tool],
+            _ => &[Feature::Alarm],
+        };
+        self.needs.add(needs);
+        self.block.feed |= letter == b'F';
+        self.block.speed |= letter == b'S';
+        self.block.axis |= matches!(letter, b'X' | b'Z' | b'C' | b'W' | b'A' | b'I' | b'K' | b'L');
+    }
+
+    fn note_g(&mut self, code: i64) {
+        self.block.dwell |= code == 4;
+        self.block.shift |= code == 50;
+        self.block.one_shot |= matches!(code, 4 | 28 | 29);
+        self.mode = match code {
+            0 => Mode::Rapid,
+            1 => Mode::Linear,
+            2 => Mode::Clockwise,
+            3 => Mode::CounterClockwise,
+            _ => self.mode,
+        };
+    }
+
+    /// The code behind G or M, blanks and brackets passed over; none where it has to be computed.
+    fn code(&mut self) -> Option<i64> {
+        let mut digits = String::new();
+        loop {
+            match self.peek() {
+                b' ' => {}
+                b'\t' | b'\r' | 0x08 | 0x7F => self.needs.add(&[Feature::TapeCode]),
+                b'+' if digits.is_empty() => {}
+                b'=' | b'[' if digits.is_empty() => self.needs.add(&[Feature::Expression]),
+                b']' => {}
+                digit @ b'0'..=b'9' => digits.push(char::from(digit)),
+                _ => break,
+            }
+            self.at += 1;
+            if self.at >= self.text.len() {
+                break;
+            }
+        }
+        digits.parse().ok().filter(|_| !self.operator_follows())
+    }
+
+    /// Whether the value of a word goes on behind its first number.
+    fn operator_follows(&self) -> bool {
+        let rest = self.text.get(self.at..).unwrap_or_default();
+        let words = COMPARISONS.iter().chain(&BOOLEAN);
+        matches!(rest.first(), Some(b'+' | b'-' | b'*' | b'/' | b'.'))
+            || words.into_iter().any(|word| rest.starts_with(word))
+    }
+}

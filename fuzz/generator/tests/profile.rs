@@ -1,0 +1,322 @@
+//! Restricted generation stays within its profile: judged by the words of the text and by what the oracle
+//! does with it, with means of this file alone.
+
+#![allow(clippy::panic)]
+
+use std::collections::BTreeSet;
+
+use turnspec_generator::{Case, Profile, case_from_seed, case_from_seed_within};
+use turnspec_oracle::vocabulary::{
+    Action, Chamfering, Event, Feature, Setup, SpindleName, SpindleState, TapeCode,
+};
+
+const SEEDS: u64 = 2_000;
+
+/// What a plain three-axis interpreter has.
+const SMALL: &[Feature] = &[
+    Feature::Absolute,
+    Feature::Arc,
+    Feature::Comment,
+    Feature::Coolant,
+    Feature::Dwell,
+    Feature::Feed,
+    Feature::Incremental,
+    Feature::Linear,
+    Feature::Rapid,
+    Feature::SequenceName,
+    Feature::Spindle,
+];
+
+/// Lines and positions alone.
+const SMALLEST: &[Feature] = &[Feature::Feed, Feature::Linear, Feature::Rapid];
+
+/// Everything but what has to do with text, faults and units.
+fn machine() -> Vec<Feature> {
+    without(&[Feature::Alarm, Feature::TapeCode, Feature::Units, Feature::ProgramName])
+}
+
+fn without(features: &[Feature]) -> Vec<Feature> {
+    Feature::ALL.iter().copied().filter(|feature| !features.contains(feature)).collect()
+}
+
+#[test]
+fn every_feature_allowed_gives_the_usual_cases() {
+    for seed in 0..300 {
+        assert_eq!(case_from_seed_within(seed, &Profile::of(Feature::ALL)), case_from_seed(seed));
+    }
+}
+
+#[test]
+fn small_programs_stay_within_and_run_deep() {
+    let ran = stays_within(SMALL);
+    assert!(ran.ended * 100 >= SEEDS * 97, "{} of {SEEDS} programs ended", ran.ended);
+    for kind in ["rapid", "linear", "arc", "dwell", "spindle", "coolant", "mode"] {
+        assert!(ran.kinds.contains(kind), "no {kind} event");
+    }
+    assert!(ran.events > SEEDS * 10, "{} events", ran.events);
+}
+
+#[test]
+fn the_smallest_programs_stay_within_and_end() {
+    let ran = stays_within(SMALLEST);
+    assert!(ran.ended * 100 >= SEEDS * 99, "{} of {SEEDS} programs ended", ran.ended);
+}
+
+#[test]
+fn programs_without_one_feature_stay_within() {
+    for feature in Feature::ALL {
+        check(&without(&[*feature]), 0..SEEDS / 10);
+    }
+}
+
+#[test]
+fn programs_of_the_whole_machine_stay_within_and_end() {
+    let ran = stays_within(&machine());
+    assert!(ran.ended * 100 >= SEEDS * 90, "{} of {SEEDS} programs ended", ran.ended);
+}
+
+/// With faults allowed there are some, of allowed words only.
+#[test]
+fn faults_need_no_more_than_the_profile() {
+    let features = [SMALL, &[Feature::Alarm]].concat();
+    let ran = stays_within(&features);
+    let alarms = SEEDS - ran.ended;
+    assert!((SEEDS / 20..SEEDS / 2).contains(&alarms), "{alarms} of {SEEDS} programs raised an alarm");
+}
+
+/// Programs that were changed, by shrinking for example, are tested by the profile itself.
+#[test]
+fn a_profile_permits_its_own_cases_and_refuses_others() {
+    let profile = Profile::of(SMALL);
+    let foreign = |program: &[u8]| Case { program: program.to_vec(), ..case_from_seed_within(1, &profile) };
+    let programs: [&[u8]; 8] = [b"V1=5", b"X=5", b"M65", b"G96 S5", b"A5", b"G1\n$X5 F1", b"M\t08", b"/X5"];
+    for program in programs {
+        assert!(!profile.permits(&foreign(program)), "{}", program.escape_ascii());
+    }
+    for seed in 0..SEEDS {
+        let case = case_from_seed_within(seed, &profile);
+        assert!(profile.permits(&case), "seed {seed}\n{}", case.program.escape_ascii());
+    }
+    let corners = Profile::of(&[SMALL, &[Feature::Chamfer]].concat());
+    let any_angle = Case { setup: Setup::default(), program: b"G75 G01 X5 L1 F1\nZ9\nM02\n".to_vec() };
+    assert!(!corners.permits(&any_angle));
+    let mut basic = any_angle;
+    basic.setup.parameters.chamfering = Chamfering::Basic;
+    assert!(corners.permits(&basic));
+}
+
+/// What the programs of a profile did.
+#[derive(Default)]
+struct Ran {
+    ended: u64,
+    events: u64,
+    kinds: BTreeSet<String>,
+}
+
+fn stays_within(features: &[Feature]) -> Ran {
+    check(features, 0..SEEDS)
+}
+
+fn check(features: &[Feature], seeds: std::ops::Range<u64>) -> Ran {
+    let profile = Profile::of(features);
+    let mut ran = Ran::default();
+    for seed in seeds {
+        let case = case_from_seed_within(seed, &profile);
+        assert!(case.setup.validate().is_ok());
+        let fail = |what: &str| {
+            panic!("seed {seed}, {what}, profile {features:?}\n{}", String::from_utf8_lossy(&case.program))
+        };
+        if !profile.permits(&case) {
+            fail("the profile itself refuses it");
+        }
+        let foreign = foreign_words(&case, features);
+        if !foreign.is_empty() {
+            fail(&foreign);
+        }
+        turnspec_oracle::run(&case.program, &case.setup, &mut |event: &Event| {
+            ran.events += 1;
+            ran.ended += u64::from(matches!(event.action, Action::End { .. }));
+            ran.kinds.insert(kind(event));
+            let foreign = foreign_event(event, features);
+            if !foreign.is_empty() {
+                fail(&foreign);
+            }
+        });
+    }
+    println!("{} events, {} ended, {:?}", ran.events, ran.ended, ran.kinds);
+    ran
+}
+
+fn kind(event: &Event) -> String {
+    let text = turnspec_oracle::vocabulary::notation::render(event);
+    text.split(' ').next().unwrap_or_default().to_owned()
+}
+
+/// What of a text lies outside a set of features; empty when nothing does.
+fn foreign_words(case: &Case, features: &[Feature]) -> String {
+    let has = |feature: &Feature| features.contains(feature);
+    let tape = has(&Feature::TapeCode);
+    let plain = |byte: &u8| *byte == b'\n' || (b' '..=b'~').contains(byte);
+    if !tape && !case.program.iter().all(plain) {
+        return "characters".to_owned();
+    }
+    if case.setup.tape.code != TapeCode::Ascii {
+        // The codes of a tape are judged by what the oracle reads in them.
+        return String::new();
+    }
+    let text = String::from_utf8_lossy(&case.program).into_owned();
+    if text.contains('(') && !has(&Feature::Comment) {
+        return "comment".to_owned();
+    }
+    let text = without_comments(&text);
+    let extended = [Feature::MTool, Feature::CAxis, Feature::Torque];
+    let marks: [(&str, &[Feature]); 5] = [
+        ("%:", &[Feature::ProgramName]),
+        ("[]*,", &[Feature::Expression]),
+        ("=", &[&[Feature::Expression], extended.as_slice()].concat()),
+        ("/", &[Feature::BlockDelete, Feature::Expression]),
+        ("$", &[Feature::ProgramName, Feature::Expression]),
+    ];
+    for (characters, any) in marks {
+        if text.contains(|found| characters.contains(found)) && !any.iter().any(has) {
+            return characters.to_owned();
+        }
+    }
+    text.lines().find_map(|line| foreign_word(line, features)).unwrap_or_default()
+}
+
+fn without_comments(text: &str) -> String {
+    let mut inside = false;
+    let mut rest = String::new();
+    for character in text.chars() {
+        inside = inside && character != '\n' || character == '(';
+        if !inside {
+            rest.push(character);
+        }
+        if inside && character == ')' {
+            inside = false;
+            rest.push(' ');
+        }
+    }
+    rest
+}
+
+/// The letters of a line, blanks and the name of the block left out, against what they mean.
+fn foreign_word(line: &str, features: &[Feature]) -> Option<String> {
+    let line = line.trim_start_matches([' ', '/']);
+    let line = match line.strip_prefix('N') {
+        Some(_) if !features.contains(&Feature::SequenceName) => return Some(line.to_owned()),
+        Some(rest) => rest.trim_start_matches(|character: char| character.is_ascii_alphanumeric()),
+        None if line.starts_with('O') && features.contains(&Feature::ProgramName) => return None,
+        None => line,
+    };
+    let has = |feature: Feature| features.contains(&feature);
+    let needs: &[(&str, bool)] = &[
+        ("A", has(Feature::AnyAngle)),
+        ("C", has(Feature::CAxis)),
+        ("W", has(Feature::WAxis)),
+        ("IK", has(Feature::Arc)),
+        ("D", has(Feature::Torque)),
+        ("F", has(Feature::Feed) || has(Feature::Dwell)),
+        ("S", has(Feature::Spindle)),
+        ("T", has(Feature::Tool)),
+        ("V", has(Feature::Variable) || has(Feature::SystemVariable)),
+        ("BEHJPQRUYO", has(Feature::Alarm)),
+    ];
+    let letters = |run: &[u8]| run.iter().all(u8::is_ascii_uppercase);
+    for run in line.as_bytes().chunk_by(|a, b| a.is_ascii_uppercase() && b.is_ascii_uppercase()) {
+        if let ([letter], true) = (run, letters(run)) {
+            let letter = char::from(*letter);
+            if needs.iter().any(|(list, allowed)| list.contains(letter) && !allowed) {
+                return Some(format!("{letter} in {line}"));
+            }
+        } else if run.len() > 1 && letters(run) && !is_known_name(run, features) {
+            return Some(format!("{} in {line}", run.escape_ascii()));
+        }
+    }
+    None
+}
+
+fn is_known_name(run: &[u8], features: &[Feature]) -> bool {
+    let has = |feature: Feature| features.contains(&feature);
+    match run {
+        b"CALRG" => has(Feature::Arc),
+        b"SB" => has(Feature::MTool),
+        b"SA" | b"QA" => has(Feature::CAxis),
+        b"PZ" | b"PW" => has(Feature::Torque),
+        b"LT" | b"LE" | b"EQ" | b"NE" | b"GT" | b"GE" => has(Feature::Expression),
+        b"AND" | b"OR" | b"EOR" | b"NOT" => has(Feature::Boolean),
+        [b'V', ..] => has(Feature::SystemVariable),
+        _ if has(Feature::Alarm) => true,
+        _ => has(Feature::Function),
+    }
+}
+
+/// What an event shows that lies outside a set of features.
+fn foreign_event(event: &Event, features: &[Feature]) -> String {
+    let has = |feature: Feature| features.contains(&feature);
+    let allowed = match &event.action {
+        Action::Rapid { .. } => has(Feature::Rapid),
+        Action::Linear { .. } => has(Feature::Feed) && (has(Feature::Linear) || has(Feature::Torque)),
+        Action::Arc { .. } => has(Feature::Feed) && (has(Feature::Arc) || has(Feature::Rounding)),
+        Action::Dwell { .. } => has(Feature::Dwell),
+        Action::Spindle(spindle) => match spindle.spindle {
+            SpindleName::Main => {
+                (has(Feature::Spindle) || spindle.state == SpindleState::Stop)
+                    && (spindle.surface.is_none() || has(Feature::CuttingSpeed))
+                    && (spindle.gear.is_empty() || has(Feature::Gear))
+            }
+            SpindleName::Tool => has(Feature::MTool),
+            SpindleName::CAxis => has(Feature::CAxis),
+        },
+        Action::Tool { .. } => has(Feature::Tool),
+        Action::Coolant { .. } => has(Feature::Coolant),
+        Action::Aux { code, .. } => match code.as_str() {
+            "M15" | "M16" | "M109" | "M110" | "M146" | "M147" => has(Feature::CAxis),
+            "M152" | "M153" => has(Feature::MTool),
+            "M124" | "M125" => has(Feature::TimeOver),
+            "M203" => has(Feature::Turret),
+            _ => has(Feature::Aux),
+        },
+        Action::Torque { .. } => has(Feature::Torque),
+        Action::Frame { .. } => has(Feature::ZeroShift) || has(Feature::SystemVariable) || has(Feature::Tool),
+        Action::Variable { .. } => has(Feature::Variable) || has(Feature::SystemVariable),
+        Action::Stop | Action::OptionalStop => has(Feature::OptionalStop),
+        Action::Mode { .. } | Action::End { .. } | Action::Alarm(_) => true,
+    };
+    if !allowed {
+        return kind(event);
+    }
+    let foreign = event.rules.as_slice().iter().find(|rule| !rule_allowed(rule.as_str(), features));
+    foreign.map(|rule| rule.to_string()).unwrap_or_default()
+}
+
+/// Whether one of the features that a rule is about is allowed.
+fn rule_allowed(id: &str, features: &[Feature]) -> bool {
+    let mut parts = id.split('-').skip(1);
+    let (area, number) = (parts.next().unwrap_or_default(), parts.next().unwrap_or_default());
+    let about: &[Feature] = match area {
+        "ANG" | "DTAP" => &[Feature::AnyAngle, Feature::Chamfer, Feature::Rounding],
+        "BOOL" => &[Feature::Boolean],
+        "CAX" | "CFEED" => &[Feature::CAxis, Feature::MTool],
+        "CHAM" => &[Feature::Chamfer, Feature::Rounding, Feature::AnyAngle],
+        "CIRC" => &[Feature::Arc, Feature::Rounding],
+        "CSS" if number != "02" => &[Feature::CuttingSpeed],
+        "DEL" => &[Feature::BlockDelete],
+        "DWELL" => &[Feature::Dwell],
+        "FUNC" => &[Feature::Function],
+        "G50" => &[Feature::ZeroShift],
+        "INCH" => &[Feature::Units],
+        "LIM" => &[Feature::Limits],
+        "CVAR" => &[Feature::Variable],
+        "SB" => &[Feature::MTool],
+        "SMAX" | "SPD" => &[Feature::Spindle],
+        "STM" => &[Feature::TimeOver],
+        "SVAR" if number != "02" => &[Feature::SystemVariable],
+        "TOOL" => &[Feature::Tool],
+        "TRQ" => &[Feature::Torque],
+        "TUNC" => &[Feature::Turret],
+        _ => return true,
+    };
+    about.iter().any(|feature| features.contains(feature))
+}

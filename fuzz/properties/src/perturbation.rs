@@ -1,0 +1,217 @@
+//! One increment more in one coordinate changes the shape of nothing and moves little.
+
+use turnspec_generator::Nudged;
+use turnspec_oracle::vocabulary::rule_ids::*;
+use turnspec_oracle::vocabulary::{Action, AlarmName, Event, RuleId, RuleSet, Setup};
+
+use crate::differential::show;
+use crate::shape::{motion, trace};
+use crate::{Verdict, require};
+
+/// Alarms that a coordinate decides by a threshold.
+const THRESHOLDS: &[AlarmName] = &[
+    AlarmName::AddressRange,
+    AlarmName::CoordinateRange,
+    AlarmName::TravelLimitNegative,
+    AlarmName::TravelLimitPositive,
+    AlarmName::ArcRadiusMismatch,
+    AlarmName::ArcRadiusTooSmall,
+    AlarmName::ArcNoEndPoint,
+    AlarmName::ChamferAxes,
+    AlarmName::ChamferTooShort,
+    AlarmName::TorqueReachedEarly,
+    AlarmName::TorqueNotReached,
+    // E100L-CIRC-07, a circle that closes on its start; E100L-TRQ-04, an approach without room.
+    AlarmName::Unspecified,
+];
+
+/// Rules that an event cites on one side of a threshold only: a motion that ends at a limit, a speed at a
+/// bound.
+const BOUNDS: &[RuleId] = &[LIM_01, CSS_04, SMAX_01];
+
+/// Rules of corners whose elements may have no length: none is emitted then.
+const CORNERS: &[RuleId] = &[ANG_03, ANG_04, CHAM_03, CHAM_11];
+
+/// Rules of end points that are computed by division: from an angle, from a circle, at a corner of any angle.
+/// Close to parallel lines and tangents they move by more than their data.
+const COMPUTED: &[RuleId] = &[DTAP_03, ANG_01, ANG_03, ANG_04, ANG_05, ANG_06, CIRC_08];
+
+/// Two programs of the generator differ by one increment (0.001 mm, 0.0001 inch) in one X, Z or W word that
+/// is a plain number. No expression of them reads a position or the zero shift, so that a coordinate can act
+/// in no other way than as a coordinate. Then:
+///
+/// 1. **Shape.** Both have the same events (kinds, codes, names, senses, lines, readings, and rules but for
+///    those of bounds: LIM-01, CSS-04, SMAX-01), up to the first threshold that one of them crosses. A
+///    threshold shows as an alarm of `THRESHOLDS` in one of them (or as another alarm that both have at the
+///    same line), as an element of a corner that has no length in one of them, or as a zero shift that is
+///    zero in one of them at the reset.
+/// 2. **Distance.** Up to that place, and up to the first end point that is computed from an angle, from a
+///    circle and one coordinate, or at a corner of any angle, every machine coordinate of the axis of that
+///    word moves by at least nothing and at most the increment, in the same direction throughout; the other
+///    axes do not move at all. (1000 nm; from inches at most 3000 nm, since words are rounded to 0.001 mm.)
+///    Nothing is multiplied on the way: an absolute word replaces the difference, an incremental one carries
+///    it on, G50 keeps it, a limit or a torque stop cuts it off.
+/// 3. **Radius.** The centre of an arc by radius stays as far from its end, to within the 3 nm of latching.
+///
+/// Rules: E100L-ABS-01, E100L-ABS-02, E100L-COORD-03, E100L-G50-02, E100L-LIM-01, E100L-LIM-02,
+/// E100L-CIRC-11, E100L-CIRC-16, E100L-CIRC-17, E100L-CHAM-07, E100L-TRQ-04, E100L-TRQ-05, E100L-TRQ-06,
+/// E100L-INCH-02
+pub(crate) fn a_small_change_moves_little(input: &[u8]) -> Verdict {
+    let Some(pair) = Nudged::from_bytes(input) else { return Ok(()) };
+    if reads_positions(&pair.before.program) { Ok(()) } else { moves_little(&pair) }
+}
+
+fn moves_little(pair: &Nudged) -> Verdict {
+    let (before, after) = (trace(&pair.before), trace(&pair.after));
+    let same = same_shape(&before, &after);
+    let fail = |message: String| format!("{message}\n{}\n{}", show(&pair.before), show(&pair.after));
+    let count = same.map_err(fail)?;
+    let (before, after) = (before.get(..count).unwrap_or_default(), after.get(..count).unwrap_or_default());
+    distance(before, after, pair).and_then(|()| radii(before, after)).map_err(fail)
+}
+
+/// Whether an expression reads the present position, or the zero shift that depends on it.
+fn reads_positions(program: &[u8]) -> bool {
+    ["VSIO", "VAPA", "VZSH"].iter().any(|name| program.windows(4).any(|text| text == name.as_bytes()))
+}
+
+/// How many events there are before the block in which a threshold is crossed; all of them when there is
+/// none.
+fn same_shape(before: &[Event], after: &[Event]) -> Result<usize, String> {
+    for (index, (one, other)) in before.iter().zip(after).enumerate() {
+        if shape(one) == shape(other) {
+            continue;
+        }
+        let events = [one, other];
+        let known = |event: &Event| match event.action {
+            Action::Alarm(alarm) => THRESHOLDS.contains(&alarm.name),
+            Action::Frame { .. } => event.rules.as_slice().contains(&G50_05),
+            _ => false,
+        };
+        let corner = events.iter().any(|event| cites(event, CORNERS));
+        require(corner || events.iter().any(|event| known(event)), || format!("{one:?}\n{other:?}"))?;
+        let line = one.block.line.min(other.block.line);
+        return Ok(before.iter().take(index).take_while(|event| event.block.line < line).count());
+    }
+    require(before.len() == after.len(), || format!("{} and {} events", before.len(), after.len()))?;
+    Ok(before.len())
+}
+
+/// What an event is, its amounts aside.
+fn shape(event: &Event) -> String {
+    let rules: RuleSet =
+        event.rules.as_slice().iter().copied().filter(|rule| !BOUNDS.contains(rule)).collect();
+    let readings: Vec<&str> = match cites(event, &[SMAX_01]) {
+        true => Vec::new(),
+        false => event.readings.iter().map(|reading| reading.as_str()).collect(),
+    };
+    let what = match event.action {
+        Action::Rapid { .. } => "rapid".to_owned(),
+        Action::Linear { feed, .. } => format!("linear {feed:?}"),
+        Action::Arc { feed, sense, .. } => format!("arc {feed:?} {sense:?}"),
+        Action::Frame { cause, .. } => format!("frame {cause:?}"),
+        Action::Spindle(spindle) => {
+            format!("{:?} {:?} {} {}", spindle.spindle, spindle.state, spindle.gear, spindle.with_motion)
+        }
+        other => format!("{other:?}"),
+    };
+    format!("{} {} {rules:?} {readings:?} {what}", event.n, event.block.line)
+}
+
+fn cites(event: &Event, rules: &[RuleId]) -> bool {
+    event.rules.as_slice().iter().any(|rule| rules.contains(rule))
+}
+
+/// Statement 2.
+fn distance(before: &[Event], after: &[Event], pair: &Nudged) -> Verdict {
+    let most = increment(&pair.before.setup);
+    let (mut forward, mut backward) = (false, false);
+    for (one, other) in before.iter().zip(after) {
+        if cites(one, COMPUTED) {
+            break;
+        }
+        let (Some(from), Some(to)) = (motion(one), motion(other)) else { continue };
+        let w = |position: turnspec_oracle::vocabulary::Position| position.w.unwrap_or_default().0;
+        let moves = [
+            ("X", to.machine.x.0 - from.machine.x.0),
+            ("Z", to.machine.z.0 - from.machine.z.0),
+            ("W", w(to.machine) - w(from.machine)),
+        ];
+        for (axis, by) in moves {
+            let bound = if axis == pair.axis { most } else { 0 };
+            require(by.abs() <= bound, || format!("{axis} moves by {by} nm:\n{one:?}\n{other:?}"))?;
+            forward |= by > 0;
+            backward |= by < 0;
+        }
+        require(!(forward && backward), || format!("moves to and fro:\n{one:?}\n{other:?}"))?;
+    }
+    Ok(())
+}
+
+/// One increment in nanometres, as a word of the unit system is rounded.
+fn increment(setup: &Setup) -> i64 {
+    if setup.unit_system.is_inch() { 3_000 } else { 1_000 }
+}
+
+/// Statement 3.
+fn radii(before: &[Event], after: &[Event]) -> Verdict {
+    for (one, other) in before.iter().zip(after).filter(|(one, _)| cites(one, &[CIRC_17, CIRC_18])) {
+        let (Some(from), Some(to)) = (radius(one), radius(other)) else { continue };
+        require((from - to).abs() <= 3.0, || format!("the radius changes:\n{one:?}\n{other:?}"))?;
+    }
+    Ok(())
+}
+
+/// The distance of an arc's end from its centre, in nanometres.
+fn radius(event: &Event) -> Option<f64> {
+    let Action::Arc { motion, centre_x, centre_z, .. } = event.action else { return None };
+    let x = (motion.program.x.0 - centre_x.0) as f64 / 2.0;
+    let z = (motion.program.z.0 - centre_z.0) as f64;
+    Some(x.hypot(z))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::moves_little;
+    use turnspec_generator::{Case, Nudged};
+    use turnspec_oracle::vocabulary::Setup;
+
+    use crate::bytes_of_seed;
+    use crate::shape::{is_alarm, trace};
+
+    fn verdict(before: &str, after: &str) -> Result<(), String> {
+        let case =
+            |text: &str| Case { setup: Setup::default(), program: format!("{text}\nM02\n").into_bytes() };
+        moves_little(&Nudged { before: case(before), after: case(after), axis: "X" })
+    }
+
+    #[test]
+    fn a_small_change_is_one_increment() {
+        assert_eq!(verdict("G00 X1\nG91 X1", "G00 X1.001\nG91 X1"), Ok(()));
+        assert!(verdict("G00 X1", "G00 X1.002").is_err_and(|message| message.contains("moves by")));
+        assert!(verdict("G00 X1 Z1", "G00 X1 Z1.001").is_err_and(|message| message.contains("moves by")));
+        assert!(
+            verdict("G00 X1\nX2", "G00 X1.001\nX1.999").is_err_and(|message| message.contains("to and fro"))
+        );
+        assert!(
+            verdict("G03 F1 X20 Z0 L20", "G03 F1 X20 Z0 L20.001").is_err_and(|text| text.contains("radius"))
+        );
+    }
+
+    #[test]
+    fn another_shape_is_noticed_and_a_threshold_is_none() {
+        assert!(verdict("G00 X1", "G01 X1 F1").is_err());
+        assert!(verdict("G00 X1", "G00 X1\nM08").is_err());
+        assert!(verdict("G00 X1\nM08", "G00 X1\nM21").is_err());
+        assert_eq!(verdict("G00 X99999.998\nG91 X0.001", "G00 X99999.999\nG91 X0.001"), Ok(()));
+        assert_eq!(verdict("G02 F1 X20 Z0 L5", "G02 F1 X20.001 Z0 L5"), Ok(()));
+    }
+
+    #[test]
+    fn most_pairs_run_to_their_end() {
+        let pairs = (0..200).filter_map(|seed| Nudged::from_bytes(&bytes_of_seed(seed, 4_096)));
+        let ended: Vec<bool> = pairs.map(|pair| !trace(&pair.before).iter().any(is_alarm)).collect();
+        let count = ended.iter().filter(|ended| **ended).count();
+        assert!(ended.len() > 100 && count * 2 > ended.len(), "{count} of {}", ended.len());
+    }
+}

@@ -1,0 +1,29 @@
+//! The trace of the oracle, and what of an event is its shape and what its coordinates.
+
+use turnspec_generator::Case;
+use turnspec_oracle::vocabulary::{Action, Event, Motion, Place};
+
+/// The trace of a case.
+pub(crate) fn trace(case: &Case) -> Vec<Event> {
+    let mut trace = Vec::new();
+    turnspec_oracle::run(&case.program, &case.setup, &mut |event: &Event| trace.push(*event));
+    trace
+}
+
+/// Its motion, if it is one.
+pub(crate) fn motion(event: &Event) -> Option<Motion> {
+    match event.action {
+        Action::Rapid { motion } | Action::Linear { motion, .. } | Action::Arc { motion, .. } => Some(motion),
+        _ => None,
+    }
+}
+
+/// Whether it is an alarm.
+pub(crate) fn is_alarm(event: &Event) -> bool {
+    matches!(event.action, Action::Alarm(_))
+}
+
+/// The event without its place: what it is whatever the spelling of its block. The name of its program stays.
+pub(crate) fn without_place(event: &Event) -> Event {
+    Event { block: Place { program: event.block.program, ..Place::default() }, ..*event }
+}

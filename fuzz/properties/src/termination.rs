@@ -1,0 +1,166 @@
+//! Every program ends, within a number of steps and events that its text tells.
+
+use std::collections::BTreeMap;
+
+use arbitrary::{Arbitrary, Unstructured};
+use turnspec::engine::Interpreter;
+use turnspec_generator::Case;
+use turnspec_oracle::Run;
+use turnspec_oracle::vocabulary::{Action, Ending, Event, TapeCode};
+
+use crate::differential::show;
+use crate::{Verdict, require};
+
+/// The most events of a block, its assignments and alarm aside, by the order of its steps:
+///
+/// | step | events |
+/// |---|---:|
+/// | `mode`: one code of a group (E100L-GCODE-04), five groups whose code can change | 5 |
+/// | G50: `frame` and `spindle`; G28 and G29, of the same group: one | 2 |
+/// | S, SA, SB: each once in a block (E100L-FMT-06) | 3 |
+/// | T: `tool` and `frame` | 2 |
+/// | M words: eight (E100L-FMT-06), each one event | 8 |
+/// | motion: two elements of a corner, or two of a torque skip; or a dwell | 2 |
+/// | M02, M30 (E100L-MCODE-04): besides `end` five modes and a `frame` | 6 |
+const BLOCK: usize = 28;
+
+/// The fewest characters of an assignment, `V1=1`. It emits `variable` and at most one `frame`.
+const ASSIGNMENT: usize = 4;
+
+/// A program runs to an end: a step reads at least one line or is the last one, so that there are at most two
+/// steps more than ends of block. A block of n characters emits at most 28 + 2⌊n/4⌋ events, and one more if
+/// it is an alarm. Events are numbered from 1 without a gap, their blocks follow the order of the text, `end`
+/// or `alarm` comes last and nowhere else, and a step after the end does nothing. All this of the oracle and
+/// of the engine, on a program of the generator and on the bytes as they are.
+///
+/// Rules: E100L-PROG-02, E100L-MCODE-04, E100L-FMT-04, E100L-FMT-05, E100L-FMT-06, E100L-GCODE-04
+pub(crate) fn programs_end(input: &[u8]) -> Verdict {
+    ends(&Case::from_raw(input))?;
+    match Case::arbitrary(&mut Unstructured::new(input)) {
+        Ok(case) => ends(&case),
+        Err(_) => Ok(()),
+    }
+}
+
+fn ends(case: &Case) -> Verdict {
+    let mut oracle = Run::new(&case.program, &case.setup);
+    let mut engine = Interpreter::new(&case.program, &case.setup);
+    let fail = |message: String| format!("{message}\n{}", show(case));
+    bounded(case, |events| oracle.step(&mut |event: &Event| events.push(*event)))
+        .map_err(|message| fail(format!("oracle: {message}")))?;
+    bounded(case, |events| engine.step(&mut |event: &Event| events.push(*event)))
+        .map_err(|message| fail(format!("engine: {message}")))
+}
+
+fn bounded(case: &Case, mut step: impl FnMut(&mut Vec<Event>) -> Option<Ending>) -> Verdict {
+    let most = lines(case) + 2;
+    let mut events = Vec::new();
+    let Some(ending) = (0..most).find_map(|_| step(&mut events)) else {
+        return Err(format!("no end after {most} steps"));
+    };
+    let count = events.len();
+    let again = step(&mut events);
+    require(again == Some(ending) && events.len() == count, || {
+        "a step after the end does something".to_owned()
+    })?;
+    in_order(&events, ending)?;
+    few_a_block(&events)
+}
+
+/// Ends of block in the text.
+fn lines(case: &Case) -> usize {
+    let end_of_block = |byte: &&u8| match case.setup.tape.code {
+        TapeCode::Ascii => **byte == b'\n',
+        TapeCode::Iso => **byte & 0x7F == b'\n',
+        TapeCode::Eia => **byte == 0x80,
+    };
+    case.program.iter().filter(end_of_block).count()
+}
+
+fn in_order(events: &[Event], ending: Ending) -> Verdict {
+    for (event, ordinal) in events.iter().zip(1..) {
+        require(event.n == ordinal, || format!("event {ordinal} has the number {}", event.n))?;
+    }
+    for pair in events.windows(2) {
+        if let [before, after] = pair {
+            require(
+                before.block.start <= after.block.start && before.block.line <= after.block.line,
+                || format!("event {} belongs to a block of before", after.n),
+            )?;
+        }
+    }
+    let ends = |event: &Event| match event.action {
+        Action::End { .. } => Some(Ending::End),
+        Action::Alarm(_) => Some(Ending::Alarm),
+        _ => None,
+    };
+    let last = events.last().and_then(ends);
+    require(last == Some(ending), || "the last event is not the ending".to_owned())?;
+    let early = events.iter().rev().skip(1).any(|event| ends(event).is_some());
+    require(!early, || "an ending is not the last event".to_owned())
+}
+
+fn few_a_block(events: &[Event]) -> Verdict {
+    let mut blocks = BTreeMap::<u32, (usize, usize)>::new();
+    for event in events.iter().filter(|event| !matches!(event.action, Action::Alarm(_))) {
+        let length = event.block.end.saturating_sub(event.block.start) as usize;
+        blocks.entry(event.block.start).or_insert((0, length)).0 += 1;
+    }
+    for (start, (count, length)) in blocks {
+        let most = BLOCK + 2 * (length / ASSIGNMENT);
+        require(count <= most, || format!("the block at {start} has {count} events, more than {most}"))?;
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{BLOCK, bounded};
+    use turnspec_generator::Case;
+    use turnspec_oracle::vocabulary::{Ending, Event, Setup};
+
+    use crate::shape::trace;
+
+    fn case() -> Case {
+        Case { setup: Setup::default(), program: b"G00 X1\nM08\nM02\n".to_vec() }
+    }
+
+    /// What is wrong with a run that hands out these events in one step, and the ending in every step.
+    fn verdict(change: impl Fn(&mut Vec<Event>)) -> Result<(), String> {
+        let mut events = trace(&case());
+        change(&mut events);
+        bounded(&case(), |out| {
+            out.append(&mut events);
+            Some(Ending::End)
+        })
+    }
+
+    #[test]
+    fn runs_that_are_wrong_are_noticed() {
+        assert_eq!(verdict(|_| ()), Ok(()));
+        assert!(verdict(|events| events.swap(0, 1)).is_err());
+        assert!(verdict(|events| events.truncate(2)).is_err());
+        assert!(verdict(|events| events[1].n = 7).is_err());
+        assert!(verdict(|events| events[1].block.start = 1_000).is_err());
+        assert!(bounded(&case(), |_| None).is_err());
+        let many = |events: &mut Vec<Event>| {
+            let (first, last) = (events[0], events[events.len() - 1]);
+            *events = vec![first; BLOCK + 5];
+            events.push(last);
+            events.iter_mut().zip(1..).for_each(|(event, n)| event.n = n);
+        };
+        assert!(verdict(many).is_err_and(|message| message.contains("more than")));
+    }
+
+    #[test]
+    fn a_run_that_goes_on_after_its_end_is_noticed() {
+        let events = trace(&case());
+        assert!(
+            bounded(&case(), |out| {
+                out.extend(&events);
+                Some(Ending::End)
+            })
+            .is_err()
+        );
+    }
+}

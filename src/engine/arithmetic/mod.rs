@@ -1,0 +1,20 @@
+//! The integer arithmetic of the engine: pure functions, one concept a module.
+//!
+//! Each function states the range that it is made for; within that range it neither panics nor wraps, and
+//! the crate `turnspec-proofs` proves it. Beyond the range of an address, a variable or a limit it is the
+//! control that alarms, before these functions are reached.
+
+pub mod decimal_code;
+pub mod digits;
+pub mod feed;
+pub mod frame;
+pub mod limit;
+pub mod plane;
+pub mod root;
+pub mod round;
+pub mod scale;
+pub mod span;
+pub mod speed;
+pub mod tool;
+pub mod turn;
+pub mod units;

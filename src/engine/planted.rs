@@ -1,0 +1,140 @@
+//! Known-wrong variants of the engine, to see whether the differential tests find them.
+//!
+//! Each is one expression elsewhere in the engine under [`is`]. Without the Cargo feature `planted-bugs` that is
+//! a constant `false`, so that nothing of them is left in the program; with it a thread plants one bug at a time.
+
+macro_rules! bugs {
+    ($($variant:ident $bound:literal $family:literal [$($rule:ident),*] $description:literal)*) => {
+        /// A known-wrong variant.
+        #[derive(Clone, Copy, PartialEq, Eq, Debug)]
+        pub enum Bug { $(#[doc = $description] $variant),* }
+
+        #[cfg(feature = "planted-bugs")]
+        impl Bug {
+            /// Every bug.
+            pub const ALL: &'static [Self] = &[$(Self::$variant),*];
+
+            /// What is known of it.
+            #[must_use]
+            pub fn entry(self) -> Entry {
+                use turnspec_oracle::vocabulary::rule_ids::*;
+                match self {
+                    $(Self::$variant => Entry {
+                        name: stringify!($variant),
+                        family: $family,
+                        description: $description,
+                        rules: &[$($rule),*],
+                        bound: $bound,
+                    }),*
+                }
+            }
+        }
+    };
+}
+
+bugs! {
+    ParityIgnored 400 "text" [CMT_02] "A byte of wrong parity on an ISO tape reads as its seven bits."
+    LongestBlock 9000 "text" [FMT_05] "A block may be one character longer than the longest one."
+    ContinuationNotCounted 200 "text" [FMT_05] "Continuation lines do not count as lines."
+    GreedyComment 200 "text" [CMT_01] "A comment ends at the last closing parenthesis of its block."
+    SecondSlash 700 "blocks" [DEL_02] "A slash before and behind the sequence name is accepted."
+    SkippedNameForgotten 12000 "blocks" [SEQ_03] "The sequence name of a skipped block may be used again."
+    NineDigits 300 "items" [TYPE_02, TYPE_03, DEC_04] "A plain number may have nine digits."
+    DuplicateFeed 1500 "items" [FMT_06] "A second F word takes the place of the first one."
+    GroupConflictLost 6000 "items" [MCODE_01] "Two M codes of the gear group may share a block."
+    LengthCut 100 "numbers" [TYPE_07, INCH_02] "A length that is no whole number of increments is cut, not rounded."
+    WholeInchRounded 100 "numbers" [INCH_02] "A length in inches without a point is rounded, not cut."
+    DwellUnit 1000 "numbers" [DWELL_02] "A dwell in the 10 micrometre system counts hundredths of a second."
+    RightAssociative 100 "expressions" [AEXP_05] "Subtractions in a row are carried out from right to left."
+    ExclusiveOrBinding 8000 "expressions" [AEXP_07] "EOR binds as strongly as AND."
+    SignsCollapse 100 "expressions" [AEXP_06, TYPE_09] "Two minus signs in a row count as one."
+    HexadecimalSaturates 500 "expressions" [MATH_18] "A hexadecimal constant beyond 7FFFFFFF is held at that."
+    LessEqualStrict 4000 "expressions" [AEXP_03, TYPE_11] "LE does not hold of equal numbers."
+    IntegerQuotient 200 "expressions" [TYPE_10] "The quotient of two integers is cut to an integer."
+    CosineBySine 2000 "expressions" [FUNC_04] "COS is the sine of the angle and 90 degrees."
+    ArcTangentUlp 400 "expressions" [FUNC_07] "ATAN2 is one unit in the last place too large."
+    ModSign 200 "expressions" [FUNC_18] "MOD has the sign of the divisor."
+    RoundTiesToEven 19000 "expressions" [FUNC_12] "ROUND takes a half to the even number."
+    VariableIndex 600 "variables" [CVAR_01] "Reading V100 and higher ones gives the variable before."
+    NegativeZero 1600 "variables" [CVAR_04, TYPE_04] "A common variable keeps a negative zero."
+    ActiveOffsetSilent 4000 "variables" [SVAR_05] "A change of the active tool offset is not reported as a change of the frame."
+    FeedOfOtherMode 900 "modes" [FEED_03] "After G94 or G95 the feed keeps the value of the mode in which it was given."
+    ResetForgetsDroop 100 "modes" [MCODE_04] "The end of the program does not reset G65."
+    ResetAfterEnd 100 "modes" [MCODE_04] "The end of the program is reported before what it resets."
+    ShiftReplaced 300 "frame" [G50_02] "A second G50 counts its shift from an unshifted frame."
+    ShiftTwice 200 "frame" [COORD_03] "The zero shift enters the W frame twice."
+    OffsetOfPreviousTool 100 "tools" [TOOL_02] "A T word of tool number 00 keeps the tool offset of before."
+    AlwaysIndexes 1900 "tools" [TOOL_06] "The turret indexes to the station that it has."
+    TimeLimitInclusive 1300 "tools" [STM_01] "An S or T function that takes exactly the permitted time is over time."
+    CuttingForgotten 5000 "tools" [TUNC_02] "A rapid motion does not end the state after a cutting motion."
+    ClampInclusive 1600 "spindle" [SMAX_01] "A speed equal to the clamp counts as clamped."
+    ClampIgnored 10000 "spindle" [SMAX_01] "The clamp of G50 S does not limit the lowest speed of a gear."
+    GearMinimumLost 1000 "spindle" [CSS_04] "A cutting speed below the lowest speed of the gear is not raised."
+    SpeedAtStart 100 "spindle" [CSS_01] "The speed of a motion at constant cutting speed is that of its start."
+    AnswerWithoutMotion 3000 "spindle" [M63_02] "M63 makes a spindle command go with a motion that the block does not have."
+    LimitOfArcs 3000 "motion" [LIM_01] "An arc beyond a positive limit is held at it instead of refused."
+    LimitInclusive 200 "motion" [LIM_01] "A coordinate on the positive limit counts as beyond it."
+    PathWithoutW 100 "motion" [G01_04] "The travel of W is left out of the path of the feed."
+    DiameterRule 100 "motion" [ABS_03] "An incremental X does not cite its rule."
+    CWrap 100 "c axis" [CAX_05] "The machine coordinate of C is not brought into the turn."
+    TurnsOfNegativeSense 900 "c axis" [CAX_06] "Full turns of QA go the positive way under M16."
+    ClampLost 4000 "c axis" [CAX_07] "A clamped C axis turns."
+    CentreDiameter 100 "arcs" [CIRC_05] "I is taken on the diameter."
+    MajorSide 100 "arcs" [CIRC_18] "CALRG does not change the side of the centre of G02."
+    QuadrantOnAxis 3000 "arcs" [CIRC_08] "An arc that starts on an axis line enters the wrong quadrant."
+    ToleranceOnDiameter 500 "arcs" [CIRC_11] "The permissible difference of the radii is taken on the diameter."
+    ArcReading 100 "arcs" [CIRC_08] "An arc with one coordinate does not name its reading."
+    CornerBaseKept 3000 "arcs" [CHAM_13] "After an arc incremental words still count from the corner of the chamfer before it."
+    FaceAsLeg 200 "chamfers" [ANG_03] "L of an any-angle chamfer is the leg whatever the reading says."
+    LegRadius 100 "chamfers" [CHAM_03] "The leg along X of a basic chamfer is taken on the diameter."
+    RoundingSense 100 "chamfers" [CHAM_11] "A basic rounding from X to Z goes round the wrong way."
+    ExactFit 300 "chamfers" [CHAM_07] "A basic chamfer that takes the whole motion is too long."
+    NextDimension 100 "chamfers" [ANG_05] "Look-ahead takes the dimension mode of this block for the next one."
+    NextInchStale 3000 "chamfers" [INCH_02] "Whether a block read ahead has inch words is taken from the block before."
+    CornerReading 600 "chamfers" [CHAM_13] "Incremental words after a chamfer always count from its end."
+    AlarmOneBlockEarly 300 "look-ahead" [ANG_05, ANG_06] "A fault of a block that is read ahead is reported at the block before it."
+    TaperRadius 100 "angles" [DTAP_03] "X of a line at an angle is a radius."
+    TorqueStopReused 200 "torque" [TRQ_03] "A second torque skip stops where the first one did."
+    TorqueLimitLost 8000 "torque" [TRQ_01] "G29 takes off the limit of the axis that it does not name."
+}
+
+/// What is known of a planted bug.
+#[cfg(feature = "planted-bugs")]
+#[derive(Clone, Copy, Debug)]
+pub struct Entry {
+    /// Its name.
+    pub name: &'static str,
+    /// The part of the language that it spoils.
+    pub family: &'static str,
+    /// What it does.
+    pub description: &'static str,
+    /// Rules that it breaks.
+    pub rules: &'static [turnspec_oracle::vocabulary::RuleId],
+    /// Within how many generated programs, seeds from 0 on, the comparison with the reference has to find it.
+    pub bound: u64,
+}
+
+#[cfg(feature = "planted-bugs")]
+thread_local! {
+    static PLANTED: std::cell::Cell<Option<Bug>> = const { std::cell::Cell::new(None) };
+}
+
+/// Whether a bug is planted in this thread.
+#[cfg(feature = "planted-bugs")]
+#[must_use]
+pub fn is(bug: Bug) -> bool {
+    PLANTED.get() == Some(bug)
+}
+
+/// Whether a bug is planted: never in a build without the feature.
+#[cfg(not(feature = "planted-bugs"))]
+#[inline(always)]
+pub const fn is(_: Bug) -> bool {
+    false
+}
+
+/// Plants a bug in this thread in the place of the one before it, or none.
+#[cfg(feature = "planted-bugs")]
+pub fn plant(bug: Option<Bug>) {
+    PLANTED.set(bug);
+}
