@@ -2,7 +2,7 @@
 
 use std::cmp::Ordering;
 
-use super::leg::{Course, Leg, offset_radius};
+use super::circle::Circle;
 use super::reach::{Reach, along, sum};
 use crate::path::Vector;
 use crate::quantity::Exact;
@@ -10,30 +10,19 @@ use crate::real::{self, Interval};
 
 /// The circles, seen from P. D is the distance of their centres.
 struct Pair {
-    i: Leg,
-    j: Leg,
-    /// P − Mi.
-    from_centre: Vector,
+    i: Circle,
+    j: Circle,
     /// Mj − Mi.
     between: Vector,
     /// D².
     square: Exact,
 }
 
-/// From P to the meeting point on its side of the line of centres; none if the circles have no common point. Neither
-/// leg is a line, and the tangents are not parallel.
-pub fn meeting(i: &Leg, j: &Leg) -> Option<Reach> {
-    let (Course::Arc(from_centre, _), Course::Arc(from_other, _)) = (&i.course, &j.course) else {
-        return None;
-    };
-    let between = from_centre.minus(from_other);
-    let pair = Pair {
-        i: i.clone(),
-        j: j.clone(),
-        from_centre: from_centre.clone(),
-        square: between.square(),
-        between,
-    };
+/// From P to the meeting point on its side of the line of centres; none if the circles have no common point. The
+/// tangents of the arcs are not parallel.
+pub fn meeting(i: Circle, j: Circle) -> Option<Reach> {
+    let between = i.from_centre.minus(&j.from_centre);
+    let pair = Pair { i, j, square: between.square(), between };
     // |ri' − rj'| ≤ D ≤ ri' + rj'.
     let rooms = [
         real::sign(|precision| pair.rooms(precision).0),
@@ -47,18 +36,10 @@ pub fn meeting(i: &Leg, j: &Leg) -> Option<Reach> {
     Some(Reach::new(move |precision| pair.reach(touches, precision)))
 }
 
-/// r'/D.
-fn radius(leg: &Leg, square: &Exact, precision: usize) -> Interval {
-    match &leg.course {
-        Course::Arc(from_centre, sense) => offset_radius(from_centre, *sense, &leg.nose, square, precision),
-        Course::Line(_) => Interval::of(&Exact::ZERO, precision),
-    }
-}
-
 impl Pair {
     /// ri'/D and rj'/D.
     fn radii(&self, precision: usize) -> (Interval, Interval) {
-        (radius(&self.i, &self.square, precision), radius(&self.j, &self.square, precision))
+        (self.i.radius(&self.square, precision), self.j.radius(&self.square, precision))
     }
 
     /// (ri' + rj' − D)/D, (D + ri' − rj')/D, (D − ri' + rj')/D: the circles meet when none is negative, and touch
@@ -82,8 +63,8 @@ impl Pair {
             let product = i.add(&j).add(&one).mul(&apart).mul(&around).mul(&within);
             product.sqrt().over(2)
         };
-        let height = if self.from_centre.dot(&left) < Exact::ZERO { height.neg() } else { height };
-        let back = along(&self.from_centre, &one.neg(), precision);
+        let height = if self.i.from_centre.dot(&left) < Exact::ZERO { height.neg() } else { height };
+        let back = along(&self.i.from_centre, &one.neg(), precision);
         sum(&back, &sum(&along(&self.between, &foot, precision), &along(&left, &height, precision)))
     }
 }

@@ -1,6 +1,7 @@
 //! The corner of two elements, i that ends in P and j that begins there: where the nose circle touches both, or what
 //! takes the place of such a point (E100L-NRC-50).
 
+use super::circle::Circle;
 use super::leg::{Course, Leg};
 use super::reach::Reach;
 use super::{arcs, line_and_arc, lines};
@@ -54,12 +55,16 @@ fn meeting(i: &Leg, j: &Leg) -> Outcome<(Reach, RuleId)> {
             (Some(lines::meeting(before, i.nose, after, j.nose)), NRC_26)
         }
         (Course::Line(line), Course::Arc(from_centre, sense)) => {
-            (line_and_arc::meeting(line, i.nose, from_centre, *sense, j.nose), NRC_51)
+            (line_and_arc::meeting(line, i.nose, Circle::new(from_centre, *sense, &j.nose)), NRC_51)
         }
         (Course::Arc(from_centre, sense), Course::Line(line)) => {
-            (line_and_arc::meeting(line, j.nose, from_centre, *sense, i.nose), NRC_51)
+            (line_and_arc::meeting(line, j.nose, Circle::new(from_centre, *sense, &i.nose)), NRC_51)
         }
-        (Course::Arc(..), Course::Arc(..)) => (arcs::meeting(i, j), NRC_52),
+        (Course::Arc(before, sense), Course::Arc(after, sense_after)) => {
+            let (before, after) =
+                (Circle::new(before, *sense, &i.nose), Circle::new(after, *sense_after, &j.nose));
+            (arcs::meeting(before, after), NRC_52)
+        }
     };
     match reach {
         Some(reach) => Ok((reach, rule)),

@@ -1,11 +1,9 @@
 //! An element as it is at one of its ends, P: what a corner is made of (E100L-NRC-13).
 
+use super::circle::Circle;
 use super::nose::Nose;
-use super::reach::{root, signed_root};
 use crate::frame::Amounts;
 use crate::path::{Element, Point, Shape, Vector};
-use crate::quantity::{Exact, whole};
-use crate::real::Interval;
 use crate::vocabulary::Sense;
 
 /// An element at P.
@@ -46,39 +44,13 @@ impl Leg {
         matches!(self.course, Course::Line(_))
     }
 
-    /// E100L-NRC-48: whether the nose does not fit into an arc, r' = r − s·σ·R < 0, or P is its centre, where it has
-    /// no tangent.
+    /// E100L-NRC-48: whether it is an arc without an offset circle.
     pub fn is_too_small(&self) -> bool {
         match &self.course {
             Course::Line(_) => false,
-            Course::Arc(from_centre, sense) => {
-                let inward = whole(inward(*sense, &self.nose));
-                let square = from_centre.square();
-                square.is_zero() || inward > Exact::ZERO && square < &inward * &inward
-            }
+            Course::Arc(from_centre, sense) => Circle::new(from_centre, *sense, &self.nose).is_none(),
         }
     }
-}
-
-/// σ·s·R: how far the nose centre is inside an arc.
-fn inward(sense: Sense, nose: &Nose) -> i64 {
-    match sense {
-        Sense::CounterClockwise => nose.offset(),
-        Sense::Clockwise => -nose.offset(),
-    }
-}
-
-/// E100L-NRC-48: r' of an arc at the point to which `from_centre` leads, in a unit of length with this square.
-pub fn offset_radius(
-    from_centre: &Vector,
-    sense: Sense,
-    nose: &Nose,
-    unit_square: &Exact,
-    precision: usize,
-) -> Interval {
-    let inward = whole(inward(sense, nose));
-    let radius = root(&(from_centre.square() / unit_square), precision);
-    radius.sub(&signed_root(&inward, &(&inward * &inward / unit_square), precision))
 }
 
 /// An element at its start and at its end; none of a motion that has no travel in X or Z. `from` and `to` are its

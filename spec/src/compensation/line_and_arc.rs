@@ -2,43 +2,28 @@
 
 use std::cmp::Ordering;
 
-use super::leg::offset_radius;
+use super::circle::Circle;
 use super::nose::Nose;
 use super::reach::{Reach, sum, unit};
 use crate::path::Vector;
 use crate::quantity::{Exact, whole};
 use crate::real::{self, Interval};
-use crate::vocabulary::Sense;
 
-/// The line and the circle, seen from P. With d = D/n: w = (P − M) + s·R·left(d), b = w·d = (P − M)·d, and
-/// a = w·left(d) is the distance of the offset line from M. So b² − |w|² + r'² = r'² − a² = (r' − a)(r' + a).
+/// The line and the circle, seen from P. With the unit vector d of the line: w = (P − M) + s·R·left(d),
+/// b = w·d = (P − M)·d, and a = w·left(d) is the distance of the offset line from M. So
+/// b² − |w|² + r'² = r'² − a² = (r' − a)(r' + a).
 struct Pair {
-    /// D.
+    /// A vector along the line.
     line: Vector,
     /// s·R of the line.
     offset: Exact,
-    /// P − M.
-    from_centre: Vector,
-    sense: Sense,
-    of_arc: Nose,
+    circle: Circle,
 }
 
 /// From P to the meeting point that is nearer to it; none if the line passes by the circle. The tangent of the arc
 /// is not parallel to the line.
-pub fn meeting(
-    line: &Vector,
-    of_line: Nose,
-    from_centre: &Vector,
-    sense: Sense,
-    of_arc: Nose,
-) -> Option<Reach> {
-    let pair = Pair {
-        line: line.clone(),
-        offset: whole(of_line.offset()),
-        from_centre: from_centre.clone(),
-        sense,
-        of_arc,
-    };
+pub fn meeting(line: &Vector, nose: Nose, circle: Circle) -> Option<Reach> {
+    let pair = Pair { line: line.clone(), offset: whole(nose.offset()), circle };
     let inside = real::sign(|precision| pair.inside(precision).0);
     let beyond = real::sign(|precision| pair.inside(precision).1);
     if inside.is_lt() || beyond.is_lt() {
@@ -52,9 +37,9 @@ impl Pair {
     /// r' − a and r' + a.
     fn inside(&self, precision: usize) -> (Interval, Interval) {
         let (z, x) = unit(&self.line.left(), precision);
-        let aside = scalar_product(&self.from_centre, &(z, x), precision);
+        let aside = scalar_product(&self.circle.from_centre, &(z, x), precision);
         let aside = aside.add(&Interval::of(&self.offset, precision));
-        let radius = offset_radius(&self.from_centre, self.sense, &self.of_arc, &Exact::ONE, precision);
+        let radius = self.circle.radius(&Exact::ONE, precision);
         (radius.sub(&aside), radius.add(&aside))
     }
 
@@ -66,8 +51,8 @@ impl Pair {
         let zero = Interval::of(&Exact::ZERO, precision);
         let (less, more) = self.inside(precision);
         let half_chord = if touches { zero } else { less.mul(&more).sqrt() };
-        let back = scalar_product(&self.from_centre, &(z.clone(), x.clone()), precision);
-        let forward = self.from_centre.dot(&self.line) > Exact::ZERO;
+        let back = scalar_product(&self.circle.from_centre, &(z.clone(), x.clone()), precision);
+        let forward = self.circle.from_centre.dot(&self.line) > Exact::ZERO;
         let onward = if forward { half_chord.sub(&back) } else { half_chord.add(&back).neg() };
         sum(&across_line(&Interval::of(&self.offset, precision)), &along_line(&onward))
     }

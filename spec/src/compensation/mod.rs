@@ -1,16 +1,17 @@
-//! Nose radius compensation: from the programmed path to the path of the tip (E100L-NRC-01 to -87).
+//! Nose radius compensation: from the programmed path to the path of the tip (E100L-NRC-13).
 //!
 //! It stands between the path and the trace: motions come in as they are programmed, P, and leave with the end to
 //! which the nose leads them. The end of an element needs the element after it (E100L-NRC-12), so that one motion
 //! waits and later events are held behind it; blocks are carried out in their order all the same.
 //!
-//! [`nose`], [`leg`] and [`reach`] say what is offset and how far; [`corner`], [`lines`], [`line_and_arc`] and [`arcs`]
-//! where two elements meet; [`ending`] what the event of a motion tells; [`on`], [`back`], [`contour`], [`start_up`] and
+//! [`nose`], [`leg`], [`circle`] and [`reach`] say what is offset and how far; [`corner`], [`lines`], [`line_and_arc`]
+//! and [`arcs`] where two elements meet; [`ending`] what the event of a motion tells; [`on`], [`back`], [`contour`], [`start_up`] and
 //! [`cancel`] what a block does.
 
 mod arcs;
 mod back;
 mod cancel;
+mod circle;
 mod contour;
 mod corner;
 mod ending;
