@@ -159,8 +159,8 @@ proptest! {
             (centre.1 - through.1) * d.0 - (centre.0 - through.0) * d.1
         };
         let touches = |aside: f64| (aside - side * radius as f64 * 1000.0).abs() < 1.5;
-        for index in 1..contour.len() {
-            let centre = nose(&motions[index]);
+        for (index, motion) in motions.iter().enumerate().skip(1) {
+            let centre = nose(motion);
             let here = direction(index);
             prop_assert!(touches(aside(centre, point(index), here)), "{} on its own line", index);
             if index + 1 < contour.len() {

@@ -27,14 +27,12 @@ impl Reach {
     /// E100L-NRC-07: the nose centre seen from P, latched: X as a diameter, and Z. What is beyond every range is
     /// kept at its end.
     pub fn from(&self, point: Point) -> Point {
-        let latch = |start: i64, part: &dyn Fn(usize) -> Interval| {
-            let start = whole(start);
-            narrow(&real::nearest_whole(|precision| Interval::of(&start, precision).add(&part(precision))))
-        };
-        (
-            latch(point.0, &|precision| (self.0)(precision).1.times(2)),
-            latch(point.1, &|precision| (self.0)(precision).0),
-        )
+        let (diameter, start) = (whole(point.0), whole(point.1));
+        let [x, z] = real::nearest_wholes(|precision| {
+            let (z, x) = (self.0)(precision);
+            [Interval::of(&diameter, precision).add(&x.times(2)), Interval::of(&start, precision).add(&z)]
+        });
+        (narrow(&x), narrow(&z))
     }
 }
 
