@@ -323,3 +323,45 @@ proptest! {
         prop_assert_eq!(absolute, lines(&program("G42 G91", &steps), &tool(800, 800)));
     }
 }
+
+/// Kind, line and Z of each motion or alarm.
+fn outline(program: &str, setup: &Setup) -> Vec<String> {
+    let told = |event: &Event| match (event.action, motion(event)) {
+        (Action::Alarm(alarm), _) => Some(format!("{} {}", event.block.line, alarm.name)),
+        (_, Some(motion)) => Some(format!("{} Z{}", event.block.line, motion.program.z)),
+        _ => None,
+    };
+    trace(program, setup).iter().filter_map(told).collect()
+}
+
+/// The motion in front of a G40 block ends before the limits of X and Z are tested there, and after that of W
+/// (E100L-NRC-12, E100L-NRC-66).
+#[test]
+fn limits_of_a_block_that_ends_compensation() {
+    let mut setup = tool(800, 800);
+    setup.options.w_axis = true;
+    setup.limits.w.negative = Some(Length(-1_000_000));
+    setup.limits.x.negative = Some(Length(50_000_000));
+    let program = |words: &str| format!("G42 G01 X100 Z100 F0.2 T010101\nZ50\nG40 {words}\nM02\n");
+    assert_eq!(outline(&program("X60 W-1"), &setup), ["1 Z100", "2 Z50", "3 Z50"]);
+    assert_eq!(outline(&program("X40 W-1"), &setup), ["1 Z100", "2 Z50", "3 travel_limit_negative"]);
+    assert_eq!(outline(&program("X60 W-2"), &setup), ["1 Z100", "3 travel_limit_negative"]);
+    assert_eq!(outline(&program("W-2"), &setup), ["1 Z100", "3 travel_limit_negative"]);
+}
+
+/// However many blocks without axis motion follow, each is carried out when it is read, from the second one on
+/// (E100L-NRC-44).
+#[test]
+fn blocks_without_motion_are_not_held_for_long() {
+    let program = format!("G42 G01 X100 Z100 F0.2\nZ50\n{}X120\nM02\n", "M08\n".repeat(1000));
+    let setup = Setup::default();
+    let mut run = turnspec_oracle::Run::new(program.as_bytes(), &setup);
+    let mut sent = [0; 1004];
+    for count in &mut sent {
+        run.step(&mut |_: &Event| *count += 1);
+    }
+    // Modes of the start-up block; the start-up; nothing; the element and two blocks; a block each; the way to the
+    // corner is none.
+    assert_eq!(sent[..5], [2, 1, 0, 3, 1]);
+    assert!(sent[4..1002].iter().all(|count| *count == 1));
+}
