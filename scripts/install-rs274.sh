@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs LinuxCNC's stand-alone interpreter `rs274` (Debian package linuxcnc-uspace), which the throughput
-# benchmark times beside ours when it is there.
+# benchmark times beside ours, and which conformance/adapters/rs274 compares with ours, when it is there.
 set -euo pipefail
 
 if command -v rs274 >/dev/null; then

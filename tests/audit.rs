@@ -307,17 +307,16 @@ fn a_planted_bug_that_was_not_found_fails() {
         format!("{{\"bug\":\"{name}\",\"rules\":[\"E100L-G50-02\"],\"programs\":{programs},\"bound\":100}}")
     };
     let bugs = [bug("early", "100"), bug("late", "101"), bug("hidden", "null")].join(",");
-    for text in [format!("[{bugs}]"), format!("{{\"state\":{{}},\"bugs\":[{bugs}]}}")] {
-        fs::write(folder.root().join("evidence/planted.json"), text).unwrap();
-        folder.audit();
-        let matrix = folder.json("matrix.json");
-        let findings = matrix["findings"].as_array().unwrap();
-        let finding = findings.iter().find(|finding| finding["subject"] == "planted bugs").unwrap();
-        assert_eq!(finding["concerns"], serde_json::json!(["late", "hidden"]));
-        assert!(finding["text"].as_str().unwrap().contains("does not say on which state"), "{finding}");
-        let row = matrix["rules"].as_array().unwrap().iter().find(|row| row["id"] == "E100L-G50-02").unwrap();
-        assert_eq!(row["planted"][0], serde_json::json!({"bug": "early", "found": true}));
-    }
+    let text = format!("{{\"state\":{{}},\"bugs\":[{bugs}]}}");
+    fs::write(folder.root().join("evidence/planted.json"), text).unwrap();
+    folder.audit();
+    let matrix = folder.json("matrix.json");
+    let findings = matrix["findings"].as_array().unwrap();
+    let finding = findings.iter().find(|finding| finding["subject"] == "planted bugs").unwrap();
+    assert_eq!(finding["concerns"], serde_json::json!(["late", "hidden"]));
+    assert!(finding["text"].as_str().unwrap().contains("does not say on which state"), "{finding}");
+    let row = matrix["rules"].as_array().unwrap().iter().find(|row| row["id"] == "E100L-G50-02").unwrap();
+    assert_eq!(row["planted"][0], serde_json::json!({"bug": "early", "found": true}));
 }
 
 #[cfg(target_os = "linux")]

@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use turnspec_oracle::vocabulary::RuleId;
+
 use crate::alignment::{Break, align};
 use crate::declaration::Undecided;
 use crate::expectation::{Expected, ExpectedEvent, Line};
@@ -42,6 +44,18 @@ pub struct Divergence {
     pub actual: Option<Observation>,
     /// What differs.
     pub differences: Vec<Difference>,
+}
+
+impl Divergence {
+    /// Whether the expected line cites a rule.
+    #[must_use]
+    pub fn cites(&self, rule: RuleId) -> bool {
+        let words = self.expected.iter().flat_map(|line| line.split_whitespace());
+        words
+            .filter_map(|word| word.strip_prefix("rules="))
+            .flat_map(|ids| ids.split('+'))
+            .any(|id| id == rule.as_str())
+    }
 }
 
 /// A field that differs.

@@ -7,7 +7,7 @@ use serde::Deserialize;
 use turnspec_oracle::vocabulary::{Control, Feature, RuleId};
 
 use crate::observation::{KINDS, is_field};
-use crate::{Divergence, Tolerance, Verdict};
+use crate::{Divergence, Tolerance};
 
 /// The difference of two kinds of event.
 const KIND: &str = "kind";
@@ -35,6 +35,9 @@ pub struct Declaration {
     /// What is demanded where the expected trace ends in `unspecified` or `not_modelled`.
     #[serde(default)]
     pub undecided: Undecided,
+    /// What exit status 3 counts as although every feature is declared.
+    #[serde(default)]
+    pub refusals: Refusals,
     /// Largest permitted differences.
     #[serde(default)]
     pub tolerance: Tolerance,
@@ -65,6 +68,17 @@ pub enum Undecided {
     Alarm,
 }
 
+/// What exit status 3 counts as although every feature is declared.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Refusals {
+    /// A failure.
+    #[default]
+    Fail,
+    /// A case that is skipped: features are too coarse to tell what the implementation has.
+    Skip,
+}
+
 /// A failure that is known and permitted.
 #[derive(Clone, PartialEq, Eq, Debug, Deserialize)]
 #[serde(try_from = "WaiverTable")]
@@ -73,6 +87,8 @@ pub struct Waiver {
     pub subject: Subject,
     /// The only field that may differ first, or `kind`: another event, or none, in the place of the expected one.
     pub field: Option<String>,
+    /// Text that the implementation's event must hold in compact notation.
+    pub got: Option<String>,
     /// Why.
     pub reason: String,
 }
@@ -92,6 +108,7 @@ struct WaiverTable {
     case: Option<String>,
     rule: Option<RuleId>,
     field: Option<String>,
+    got: Option<String>,
     reason: String,
 }
 
@@ -110,25 +127,24 @@ impl TryFrom<WaiverTable> for Waiver {
         if table.field.as_ref().is_some_and(|field| field != KIND && !is_field(field)) {
             return Err("the field of a waiver is `kind`, or a field of compact notation");
         }
-        Ok(Self { subject, field: table.field, reason: table.reason })
+        Ok(Self { subject, field: table.field, got: table.got, reason: table.reason })
     }
 }
 
 impl Waiver {
-    /// Whether a verdict shows what it permits: with a field, that this field differs first.
+    /// Whether it is limited to a part of the divergences that its subject may show.
     #[must_use]
-    pub fn covers(&self, verdict: &Verdict) -> bool {
-        match verdict {
-            Verdict::Mismatch(divergence) => self.covers_divergence(divergence),
-            _ => self.field.is_none(),
-        }
+    pub fn is_limited(&self) -> bool {
+        self.field.is_some() || self.got.is_some()
     }
 
-    /// Whether a divergence shows what it permits.
+    /// Whether a divergence is of the kind that it permits.
     #[must_use]
-    pub fn covers_divergence(&self, divergence: &Divergence) -> bool {
+    pub fn covers(&self, divergence: &Divergence) -> bool {
         let first = divergence.differences.first().map_or(KIND, |difference| difference.field.as_str());
+        let got = divergence.actual.as_ref().map(ToString::to_string).unwrap_or_default();
         self.field.as_ref().is_none_or(|field| field == first)
+            && self.got.as_ref().is_none_or(|text| got.contains(text.as_str()))
     }
 }
 
@@ -145,6 +161,7 @@ impl Declaration {
             omits: BTreeSet::new(),
             alarms: Alarms::default(),
             undecided: Undecided::default(),
+            refusals: Refusals::default(),
             tolerance: Tolerance::default(),
             waivers: Vec::new(),
         }
@@ -212,7 +229,7 @@ impl std::error::Error for DeclarationError {}
 mod tests {
     use turnspec_oracle::vocabulary::{Control, Feature};
 
-    use super::{Alarms, Declaration, Subject, Undecided};
+    use super::{Alarms, Declaration, Refusals, Subject, Undecided};
 
     #[test]
     fn a_name_is_enough() {
@@ -223,10 +240,10 @@ mod tests {
     fn every_key_is_read() -> Result<(), Box<dyn std::error::Error>> {
         let declaration = Declaration::from_toml(
             "name = 'mylathe'\nversion = '1.2'\ncontrols = ['e100l']\nfeatures = ['linear', 'any-angle']\n\
-             events = ['rapid', 'alarm']\nomits = ['mx', 'path']\nalarms = 'any'\nundecided = 'alarm'\n\
+             events = ['rapid', 'alarm']\nomits = ['mx', 'path']\nalarms = 'any'\nundecided = 'alarm'\nrefusals = 'skip'\n\
              [tolerance]\nlength = '0.0005'\nspeed = 0.01\n\
              [[waiver]]\ncase = 'e100l/s4-g50-shift'\nreason = 'planned'\n\
-             [[waiver]]\nrule = 'E100L-G50-02'\nfield = 'kind'\nreason = 'planned'\n",
+             [[waiver]]\nrule = 'E100L-G50-02'\nfield = 'kind'\ngot = 'alarm'\nreason = 'planned'\n",
         )?;
         assert!(declaration.has_control(Control::E100l));
         assert!(declaration.has_feature(Feature::AnyAngle) && !declaration.has_feature(Feature::Arc));
@@ -234,6 +251,7 @@ mod tests {
         assert!(declaration.compares("linear", "x") && !declaration.compares("linear", "mx"));
         assert!(!declaration.compares("alarm", "name"));
         assert_eq!((declaration.alarms, declaration.undecided), (Alarms::Any, Undecided::Alarm));
+        assert_eq!(declaration.refusals, Refusals::Skip);
         assert_eq!(declaration.waivers[0].subject, Subject::Case("e100l/s4-g50-shift".to_owned()));
         assert!(
             matches!(declaration.waivers[1].subject, Subject::Rule(rule) if rule.as_str() == "E100L-G50-02")

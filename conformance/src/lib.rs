@@ -38,7 +38,7 @@ mod words;
 pub use case::{Basis, Case};
 pub use comparison::{Difference, Divergence, Verdict, compare, compare_traces, read_trace};
 pub use decimal::Decimal;
-pub use declaration::{Alarms, Declaration, DeclarationError, Subject, Undecided, Waiver};
+pub use declaration::{Alarms, Declaration, DeclarationError, Refusals, Subject, Undecided, Waiver};
 pub use exercise::Exercise;
 pub use expectation::{Expected, ExpectedEvent, Line};
 pub use export::corpus_files;

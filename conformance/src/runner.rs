@@ -16,7 +16,8 @@ use crate::explanation::explain;
 use crate::report::{CaseReport, Report, Ruling, by_rule, verdicts};
 use crate::selection::{Filter, reason_to_skip};
 use crate::{
-    Declaration, Exercise, Implementation, Outcome, PROTOCOL, RunError, Subject, Verdict, Waiver, printable,
+    Declaration, Exercise, Implementation, Outcome, PROTOCOL, Refusals, RunError, Subject, Verdict, Waiver,
+    printable,
 };
 
 /// The most characters of standard error that a report keeps.
@@ -112,6 +113,9 @@ impl Runner<'_> {
     fn judge(&self, exercise: &Exercise, outcome: &Outcome, book: &[RuleText], report: &mut CaseReport) {
         let verdict = compare(&exercise.expected, outcome, self.declaration);
         (report.verdict, report.reason) = ruling(&verdict);
+        if verdict == Verdict::Unsupported && self.declaration.refusals == Refusals::Skip {
+            report.verdict = Ruling::Skipped;
+        }
         if let Verdict::Mismatch(divergence) = &verdict {
             report.explanation = Some(explain(exercise, divergence, book));
         }
@@ -133,12 +137,23 @@ impl Runner<'_> {
         }
     }
 
-    /// The waiver of the case itself, or else of a rule that it is about.
+    /// The waiver of the case itself, or else of a rule that it is about or that the diverging line cites.
     fn waiver(&self, report: &CaseReport, verdict: &Verdict) -> Option<&Waiver> {
-        let waivers = self.declaration.waivers.iter().filter(|waiver| waiver.covers(verdict));
+        let divergence = match verdict {
+            Verdict::Mismatch(divergence) => Some(&**divergence),
+            _ => None,
+        };
+        let waivers = self.declaration.waivers.iter().filter(|waiver| match divergence {
+            Some(divergence) => waiver.covers(divergence),
+            None => !waiver.is_limited(),
+        });
         let of_case = |waiver: &&Waiver| matches!(&waiver.subject, Subject::Case(id) if *id == report.id);
-        let of_rule =
-            |waiver: &&Waiver| matches!(&waiver.subject, Subject::Rule(rule) if report.rules.contains(rule));
+        let of_rule = |waiver: &&Waiver| match &waiver.subject {
+            Subject::Rule(rule) => {
+                report.rules.contains(rule) || divergence.is_some_and(|each| each.cites(*rule))
+            }
+            Subject::Case(_) => false,
+        };
         waivers.clone().find(of_case).or_else(|| waivers.clone().find(of_rule))
     }
 
@@ -161,11 +176,11 @@ impl Runner<'_> {
         }
     }
 
-    /// A waiver of a rule is out of date when no case about the rule fails any more. One that is limited to a field
+    /// A waiver of a rule is out of date when no case about the rule fails any more. One that is limited to some divergences
     /// is not judged: what it is about may show itself in campaigns only.
     fn mark_stale_rule_waivers(&self, cases: &mut [CaseReport]) {
         for waiver in &self.declaration.waivers {
-            let (Subject::Rule(rule), None) = (&waiver.subject, &waiver.field) else { continue };
+            let (Subject::Rule(rule), false) = (&waiver.subject, waiver.is_limited()) else { continue };
             let about = |case: &&mut CaseReport| case.rules.contains(rule) && case.verdict != Ruling::Skipped;
             let passes = |case: &mut CaseReport| matches!(case.verdict, Ruling::Pass | Ruling::StaleWaiver);
             let needed = !cases.iter_mut().filter(about).all(passes);

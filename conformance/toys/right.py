@@ -2,8 +2,8 @@
 """A small control that is right about what it knows, to be read before you write a bigger one.
 
 It reads one case from standard input and writes the trace to standard output, as `../PROTOCOL.md` says. It
-knows positioning, lines and arcs, G90 and G91, G94 and G95, dwell, the main spindle in G97, coolant, stop and
-end, on a machine in millimetres. Whatever else a program asks for makes it leave with status 3: it never
+knows positioning, lines and arcs, G90 and G91, G94 and G95, dwell, the main spindle in G97 and its clamp, coolant,
+stop and end, on a machine in millimetres. Whatever else a program asks for makes it leave with status 3: it never
 guesses. What it has is declared in `right.toml`.
 
 It was written from the rule texts in `spec/rules/e100l/` alone. The ids beside the code (E100L- left out) are
@@ -62,12 +62,15 @@ def demand_known_machine(setup):
 ADDRESSES = set("GMXZIKLFS")
 COORDINATE_LIMIT = Fraction("99999.999")
 G_GROUPS = {
-    0: "motion", 1: "motion", 2: "motion", 3: "motion", 4: "one-shot",
+    0: "motion", 1: "motion", 2: "motion", 3: "motion", 4: "one-shot", 50: "one-shot", 64: "droop", 65: "droop",
     90: "dimension", 91: "dimension", 94: "feed_unit", 95: "feed_unit", 97: "cutting_speed",
 }
-M_GROUPS = {0: "program", 1: "program", 2: "program", 30: "program", 3: "spindle", 4: "spindle", 5: "spindle",
-            8: "coolant", 9: "coolant"}
-POWER_ON = {"motion": 0, "dimension": 90, "feed_unit": 95}
+M_GROUPS = {
+    0: "program", 1: "program", 2: "program", 30: "program",
+    3: "spindle", 4: "spindle", 5: "spindle", 19: "spindle", 8: "coolant", 9: "coolant",
+}
+SPINDLE_STATES = {3: "clockwise", 4: "counter_clockwise", 5: "stop", 19: "orient"}
+POWER_ON = {"motion": 0, "dimension": 90, "feed_unit": 95, "droop": 64}     # in the order of the reset
 
 
 class Control:
@@ -78,6 +81,7 @@ class Control:
         self.modes = dict(POWER_ON)
         self.feed = None                # (number as written, code of the feed mode it was written in)
         self.speed = 0                  # S, rpm; SPD-04: 0 after power-on
+        self.clamp = None               # S of G50, rpm
         self.spindle = "stop"
         self.names = set()              # sequence names met so far
         self.place = {"line": 1}        # line and sequence name of the present block
@@ -129,12 +133,18 @@ class Control:
 
     def check(self, words):
         motion = next((code for code in words.g if code < 4), self.modes["motion"])
-        if 97 in words.g and "S" not in words:
+        if 97 in words.g and ("S" not in words or 50 in words.g):
             raise Alarm("cutting_speed_missing", "CSS-03")
         if 4 in words.g:
             if "F" not in words:
                 raise Alarm("word_missing", "DWELL-01")
-            taken = "F"
+            taken = ""
+        elif 50 in words.g:
+            if "X" in words or "Z" in words:
+                raise Unsupported("zero shift")
+            if "S" not in words:
+                raise Alarm("word_missing", "G50-01")
+            taken = ""
         elif motion < 2:
             taken = "XZ"
         else:
@@ -162,7 +172,7 @@ class Control:
         if "X" not in words and "Z" not in words:
             raise Alarm("unspecified", "CIRC-07", "circle")
 
-    # The order of effects in a block (FMT-09): G, F, S, M, motion or dwell, stop or end.
+    # The order of effects in a block (FMT-09): G, F, clamp, S, M, motion or dwell, stop or end.
 
     def carry_out(self, words):
         for code in words.g:
@@ -171,13 +181,18 @@ class Control:
             if not Fraction("0.001") <= words["F"] <= COORDINATE_LIMIT:
                 raise Alarm("address_range", "ADDR-01")
             self.feed = rounded(words["F"], 9), self.modes["feed_unit"]
-        if "S" in words:
+        if 50 in words.g:
+            self.clamp = words["S"]                             # SMAX-02
+            self.report_spindle(clamp=text_of(self.clamp))
+        elif "S" in words:
             self.speed = words["S"]                             # SPD-01, SPD-02
             self.report_spindle()
         for code in words.m:
             self.miscellaneous(code)
         if 4 in words.g:
             self.dwell(words["F"])
+        elif 50 in words.g:
+            pass                                                # no motion
         elif self.modes["motion"] < 2:
             self.line(words)
         else:
@@ -192,15 +207,18 @@ class Control:
             self.emit("mode", group=group, code=f"G{code:02}", previous=f"G{previous:02}")
 
     def miscellaneous(self, code):
-        if M_GROUPS[code] == "spindle":                         # MCODE-05, SPD-04
-            self.spindle = {3: "clockwise", 4: "counter_clockwise", 5: "stop"}[code]
+        if M_GROUPS[code] == "spindle":                         # MCODE-05, MCODE-08
+            self.spindle = SPINDLE_STATES[code]
             self.report_spindle()
         elif M_GROUPS[code] == "coolant":
             self.emit("coolant", on=code == 8)
 
-    def report_spindle(self):
-        speed = 0 if self.spindle == "stop" else self.speed
-        self.emit("spindle", spindle="main", state=self.spindle, speed=text_of(speed))
+    def report_spindle(self, **fields):
+        """A standing spindle shows 0, a turning one at most the clamp (SMAX-01)."""
+        speed = self.speed if self.spindle in ("clockwise", "counter_clockwise") else 0
+        if self.clamp is not None and speed > self.clamp and self.setup["readings"]["speed_clamp"] == "always":
+            speed, fields["limit"] = self.clamp, "clamp"
+        self.emit("spindle", spindle="main", state=self.spindle, speed=text_of(speed), **fields)
 
     def dwell(self, time):
         if not Fraction("0.01") <= time <= Fraction("9999.99"):

@@ -83,3 +83,27 @@ fn a_fault_of_a_motion_that_waited_is_shown_at_its_block() {
     let faults: Vec<_> = found.iter().map(|fault| (fault.block.line, fault.alarm.name)).collect();
     assert_eq!(faults, [(2, AlarmName::TravelLimitNegative)]);
 }
+
+#[test]
+fn a_character_that_begins_nothing_is_the_fault() {
+    for (program, fault) in [("G00 * X1\nM02\n", "*"), ("V1=1+*2\nM02\n", "*")] {
+        let found = faults(program);
+        assert!(found.iter().any(|(line, _, text)| (*line, *text) == (1, fault)), "{found:?}");
+    }
+}
+
+/// The alarm of the run is told beside a fault of the text with the same name in another block.
+#[test]
+fn equal_alarms_of_two_blocks_are_two_faults() {
+    let program = "G00 X1 X2\nG02 X1 Z1 L5 CALRG CALRG\nM02\n";
+    let found = faults(program);
+    let lines: Vec<_> = found.iter().map(|(line, alarm, _)| (*line, *alarm)).collect();
+    assert_eq!(lines, [(2, AlarmName::DuplicateAddress), (1, AlarmName::DuplicateAddress)]);
+}
+
+#[test]
+fn a_block_lies_where_its_text_stands() {
+    let found = check(b"G00 X1\nG01 X2\n", &Setup::default());
+    let places: Vec<_> = found.iter().map(|fault| (fault.block.start, fault.block.end)).collect();
+    assert_eq!(places, [(7, 13)]);
+}

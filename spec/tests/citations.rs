@@ -2,7 +2,7 @@
 //! texts name what an event must cite.
 
 use turnspec_oracle::vocabulary::notation::render;
-use turnspec_oracle::vocabulary::{Event, Length, NoseRadius, RuleId, Setup, UnitSystem};
+use turnspec_oracle::vocabulary::{Chamfering, Event, Length, NoseRadius, RuleId, Setup, UnitSystem};
 
 /// The event with this ordinal.
 fn event(program: &str, setup: &Setup, ordinal: usize) -> Event {
@@ -88,4 +88,21 @@ fn motions_cite_the_rules_of_their_ends() {
     });
     found.retain(|line| line != "tool");
     assert_eq!(found, expected);
+}
+
+/// E100L-CHAM-13 is about increments: an absolute block behind a basic chamfer depends on no reading of it.
+#[test]
+fn only_increments_depend_on_the_corner_before() {
+    let mut setup = Setup::default();
+    setup.parameters.chamfering = Chamfering::Basic;
+    for (mode, depends) in [("G90", false), ("G91", true)] {
+        let program = format!("G00 X0 Z0\nG01 G75 Z-20 L2 F0.2\n{mode} X10\nM02\n");
+        let mut trace = Vec::new();
+        turnspec_oracle::run(program.as_bytes(), &setup, &mut |event: &Event| trace.push(*event));
+        let behind = trace.iter().find(|event| event.block.line == 3 && cites(event, "E100L-G01-01"));
+        let reading = |event: &Event| {
+            event.readings.iter().any(|reading| reading.as_str().starts_with("incremental_after_chamfer"))
+        };
+        assert_eq!(behind.map(reading), Some(depends), "{mode}");
+    }
 }

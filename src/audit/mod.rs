@@ -19,7 +19,7 @@ mod measure;
 pub mod mutants;
 pub mod packages;
 mod page;
-mod planted;
+pub mod planted;
 mod sbom;
 mod source;
 mod statements;

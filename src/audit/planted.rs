@@ -9,6 +9,9 @@ use super::{Fault, Tree};
 
 const FILE: &str = "evidence/planted.json";
 
+/// The folders on which the hunt depends.
+pub const DEPENDS_ON: [&str; 3] = ["fuzz/generator/src", "spec/src", "src/engine"];
+
 /// The planted bugs and the state that they were hunted on.
 #[derive(Clone, PartialEq, Eq, Debug, Default, Deserialize)]
 pub struct Planted {
@@ -46,20 +49,10 @@ impl Bug {
     }
 }
 
-#[derive(Deserialize)]
-#[serde(untagged)]
-enum Shape {
-    Bare(Vec<Bug>),
-    Stated(Planted),
-}
-
-/// Reads the planted bugs, a list or an object with the state too; nothing if none are kept.
+/// Reads the planted bugs; nothing if none are kept.
 ///
 /// # Errors
 /// Names the file when it has not the form that it should have.
 pub fn read(tree: &Tree) -> Result<Option<Planted>, Fault> {
-    Ok(evidence::read::<Shape>(tree, FILE)?.map(|shape| match shape {
-        Shape::Bare(bugs) => Planted { state: State::default(), bugs },
-        Shape::Stated(planted) => planted,
-    }))
+    evidence::read(tree, FILE)
 }

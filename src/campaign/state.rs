@@ -146,8 +146,8 @@ impl Campaign {
     /// Why the numbers of a file cannot be those of a campaign.
     fn contradiction(&self) -> Option<&'static str> {
         let disagreed = self.findings.iter().map(Finding::count);
-        let parts = self.waived.values().copied().chain(disagreed).chain([self.agreed, self.unsupported]);
-        let sum = parts.fold(Some(0_u64), |sum, part| sum?.checked_add(part));
+        let mut parts = self.waived.values().copied().chain(disagreed).chain([self.agreed, self.unsupported]);
+        let sum = parts.try_fold(0_u64, u64::checked_add);
         (sum != Some(self.done)).then_some("its counts do not add up")
     }
 

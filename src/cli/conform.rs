@@ -66,7 +66,7 @@ pub struct Arguments {
 }
 
 /// Reads a time; at least a millisecond, at most a day.
-fn seconds(text: &str) -> Result<Duration, String> {
+pub(super) fn seconds(text: &str) -> Result<Duration, String> {
     let time = text.parse().ok().and_then(|seconds| Duration::try_from_secs_f64(seconds).ok());
     let sensible = Duration::from_millis(1)..=Duration::from_secs(86_400);
     time.filter(|time| sensible.contains(time)).ok_or_else(|| "not a time from 0.001 to 86400 s".to_owned())
@@ -116,7 +116,7 @@ fn declaration(arguments: &Arguments) -> Result<Declaration, Failure> {
 }
 
 /// A flag that Ctrl-C and a request to end raise: every run ends and its processes are killed.
-fn interrupt() -> Result<Arc<AtomicBool>, Failure> {
+pub(super) fn interrupt() -> Result<Arc<AtomicBool>, Failure> {
     let flag = Arc::new(AtomicBool::new(false));
     for signal in [SIGINT, SIGTERM] {
         signal_hook::flag::register(signal, Arc::clone(&flag))

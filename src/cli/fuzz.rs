@@ -8,9 +8,10 @@ use std::time::Duration;
 
 use indicatif::{ProgressBar, ProgressStyle};
 use turnspec::campaign::{self, Campaign, Finding, Group, Plan};
-use turnspec_conformance::{Declaration, Implementation};
+use turnspec_conformance::{Declaration, Implementation, RunError};
 
 use super::book::Book;
+use super::conform::{interrupt, seconds};
 use super::{Failure, Verdict, exit_status};
 
 /// Rules of a finding that are shown, the most likely ones to be broken.
@@ -31,7 +32,7 @@ const RULES_SHOWN: usize = 4;
 ))]
 pub struct Arguments {
     /// The command that runs the implementation; split as a shell would, but no shell is started.
-    #[arg(long = "impl", value_name = "CMD")]
+    #[arg(long = "impl", value_name = "COMMAND")]
     implementation: String,
     /// What the implementation declares; without it, everything, and exact.
     #[arg(long, value_name = "FILE")]
@@ -52,15 +53,16 @@ pub struct Arguments {
     #[arg(long, value_name = "N")]
     max_findings: Option<NonZeroUsize>,
     /// Seconds that one program may take.
-    #[arg(long, value_name = "S", default_value_t = Implementation::TIME_OUT.as_secs())]
-    timeout: u64,
+    #[arg(long, value_name = "SECONDS", default_value = "10", value_parser = seconds)]
+    timeout: Duration,
 }
 
 /// Carries out the campaign.
 pub fn carry_out(arguments: &Arguments) -> Result<Verdict, Failure> {
     let implementation = Implementation::new(&arguments.implementation)
         .map_err(|error| Failure::about("--impl", error))?
-        .with_time_out(Duration::from_secs(arguments.timeout));
+        .with_time_out(arguments.timeout)
+        .with_interrupt(interrupt()?);
     let (declaration, text) = declaration(arguments)?;
     let directory = arguments.out.as_deref();
     let mut campaign = Campaign::new(&arguments.implementation, &text, arguments.seed);
@@ -82,12 +84,21 @@ pub fn carry_out(arguments: &Arguments) -> Result<Verdict, Failure> {
     };
     let outcome = campaign::carry_on(&mut campaign, &plan, directory, progress);
     bar.finish_and_clear();
-    outcome.map_err(|failure| match failure {
-        campaign::Failure::Run(error) => Failure::about("--impl", error),
-        campaign::Failure::State(error) => Failure::Usage(error.to_string()),
-    })?;
+    outcome.map_err(|failure| failure_of(&failure, campaign.done, directory))?;
     write(&campaign, directory)?;
     Ok(Verdict::fault_if(!campaign.findings.is_empty()))
+}
+
+/// Why the campaign did not go on, and what becomes of it.
+fn failure_of(failure: &campaign::Failure, done: u64, directory: Option<&Path>) -> Failure {
+    match (failure, directory) {
+        (campaign::Failure::Run(RunError::Interrupted), Some(directory)) => Failure::Usage(format!(
+            "interrupted after {done} programs; the same command carries on from {}",
+            directory.display()
+        )),
+        (campaign::Failure::Run(error), _) => Failure::about("--impl", error),
+        (campaign::Failure::State(error), _) => Failure::Usage(error.to_string()),
+    }
 }
 
 /// The declaration and its text.

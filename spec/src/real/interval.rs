@@ -164,4 +164,30 @@ mod tests {
             assert!(root.high() - root.low() < ratio(1, 1 << 60));
         }
     }
+
+    /// What may be zero may be of any size below: the quotient says nothing, on both sides.
+    #[test]
+    fn a_quotient_by_what_may_be_zero_says_nothing() {
+        let nothing = Interval::of(&whole(0), 64).widen(1);
+        let quotient = Interval::of(&whole(1), 64).div(&nothing);
+        assert!(quotient.low() < whole(-1_000_000) && quotient.high() > whole(1_000_000));
+        assert_eq!(quotient.sign(), None);
+    }
+
+    #[test]
+    fn what_touches_zero_has_no_sign() {
+        let zero = Interval::of(&whole(0), 64);
+        assert_eq!([zero.sign(), Interval::of(&ratio(1, 3), 64).sign()], [None, Some(1)]);
+        assert_eq!(Interval::of(&ratio(-1, 3), 64).sign(), Some(-1));
+    }
+
+    /// With few bits every unit counts.
+    #[test]
+    fn quotients_of_coarse_intervals_contain_the_exact_result() {
+        for (a, b) in (-20..=20).flat_map(|a| (-20..=20).map(move |b| (a, b))).filter(|(_, b)| *b != 0) {
+            let (x, y) = (ratio(a, 3), ratio(b, 7));
+            let quotient = Interval::of(&x, 6).div(&Interval::of(&y, 6));
+            assert!(contains(&quotient, &(&x / &y)), "{a} {b}");
+        }
+    }
 }

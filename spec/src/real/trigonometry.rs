@@ -156,6 +156,30 @@ mod tests {
         assert!(stored.low() <= computed.low() && computed.high() <= stored.high());
     }
 
+    /// A precision beyond the stored bits is computed, as narrow as it is asked for.
+    #[test]
+    fn pi_goes_beyond_the_stored_bits() {
+        let (stored, computed) = (pi(PI_BITS), pi(PI_BITS + 64));
+        assert!(stored.low() <= computed.low() && computed.high() <= stored.high());
+        let width = |interval: &Interval| interval.high() - interval.low();
+        assert!(width(&computed) * whole(1_000_000) < width(&stored));
+    }
+
+    #[test]
+    fn angles_are_reduced_to_an_eighth_of_a_turn() {
+        for (angle, rest, quarters) in [
+            (44, 44, 0),
+            (46, -44, 1),
+            (100, 10, 1),
+            (-100, -10, 3),
+            (180, 0, 2),
+            (260, -10, 3),
+            (370, 10, 0),
+        ] {
+            assert_eq!(reduce(&whole(angle)), (whole(rest), quarters), "{angle}");
+        }
+    }
+
     #[test]
     fn known_values() {
         // Digits of π, tan 22.5° = √2 - 1, sin 15° = (√6 - √2) / 4: each to binary64.

@@ -199,3 +199,29 @@ pub(super) fn is_ignored(code: u8) -> bool {
 fn offset(position: usize) -> u32 {
     u32::try_from(position).unwrap_or(u32::MAX)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::Source;
+    use crate::vocabulary::TapeCode;
+
+    /// However long a run of carriage returns is, it takes the room of one blank.
+    #[test]
+    fn carriage_returns_in_a_row_are_one_character() {
+        let text = [b"X1".as_slice(), &[b'\r'; 1000], b"Z2\n"].concat();
+        let mut source = Source::new(&text, TapeCode::Ascii);
+        let Ok(Some(line)) = source.next_line() else { panic!("a line") };
+        let codes: Vec<u8> = line.characters.iter().map(|character| character.code).collect();
+        assert_eq!(codes, b"X1\rZ2");
+    }
+
+    #[test]
+    fn the_end_lies_behind_the_last_byte() {
+        for (text, line) in [("G00 X1\n", 2), ("G00 X1", 1), ("", 1)] {
+            let mut source = Source::new(text.as_bytes(), TapeCode::Ascii);
+            while let Ok(Some(_)) = source.next_line() {}
+            let end = source.end();
+            assert_eq!((end.line, end.start as usize, end.end as usize), (line, text.len(), text.len()));
+        }
+    }
+}

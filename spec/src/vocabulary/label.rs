@@ -114,4 +114,21 @@ mod tests {
             assert_eq!(Label::of_code(b'G', code), Label::new(text));
         }
     }
+
+    #[test]
+    fn characters_are_appended_while_there_is_room() {
+        let mut label = Label::default();
+        label.push(b'A');
+        label.push(b'\n');
+        assert_eq!(label.as_str(), "A?");
+        for _ in 0..30 {
+            label.push(b'B');
+        }
+        assert_eq!(label.as_str(), format!("A?{}", "B".repeat(21)));
+    }
+
+    #[test]
+    fn a_label_shows_its_text() {
+        assert!(format!("{:?}", Label::new("M110")).contains("M110"));
+    }
 }

@@ -255,3 +255,25 @@ fn mismatch(line: &str, event: &Event) -> Option<String> {
         (!fits).then(|| format!("`{word}` does not hold"))
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Expectation, render};
+    use crate::vocabulary::{Action, Event, Place, Reading, ReadingSet, RuleSet};
+
+    #[test]
+    fn readings_are_written_where_there_are_any() {
+        let (block, rules, none) = (Place::default(), RuleSet::EMPTY, ReadingSet::default());
+        let event = Event { n: 1, block, rules, readings: none, action: Action::Stop };
+        assert_eq!(render(&event), "stop line=0 rules=");
+        let readings = none.with(Reading::ALL[0]);
+        let expected = format!("stop line=0 rules= readings={}", Reading::ALL[0].as_str());
+        assert_eq!(render(&Event { readings, ..event }), expected);
+    }
+
+    #[test]
+    fn empty_lines_and_remarks_are_no_lines() {
+        let text = "rapid x=1\n\n# a remark\n  ...  \nend\n";
+        assert_eq!(Expectation::parse(text).lines(), ["rapid x=1", "...", "end"]);
+    }
+}

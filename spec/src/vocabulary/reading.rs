@@ -154,3 +154,32 @@ impl<'de> Deserialize<'de> for ReadingSet {
         Ok(set)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Reading, ReadingSet};
+
+    #[test]
+    fn a_set_is_empty_until_something_is_in_it() {
+        assert!(ReadingSet::default().is_empty());
+        assert!(Reading::ALL.iter().all(|reading| !ReadingSet::default().with(*reading).is_empty()));
+    }
+
+    #[test]
+    fn a_union_has_what_either_set_has() {
+        let (first, last) = (Reading::ALL[0], Reading::ALL[Reading::ALL.len() - 1]);
+        let (one, both) = (ReadingSet::default().with(first), ReadingSet::default().with(first).with(last));
+        for (left, right) in [(one, both), (both, one), (both, both), (both, ReadingSet::default())] {
+            assert_eq!(left.union(right).iter().collect::<Vec<_>>(), [first, last]);
+        }
+    }
+
+    #[test]
+    fn a_set_reads_back_and_shows_its_names() {
+        let set = ReadingSet::default().with(Reading::ALL[0]);
+        let json = serde_json::to_string(&set).unwrap_or_default();
+        assert_eq!(json, format!("[\"{}\"]", Reading::ALL[0].as_str()));
+        assert_eq!(serde_json::from_str::<ReadingSet>(&json).ok(), Some(set));
+        assert!(format!("{set:?}").contains(Reading::ALL[0].as_str()));
+    }
+}

@@ -172,4 +172,18 @@ mod tests {
             assert_eq!(RuleId::parse(rule.as_str()), Some(rule));
         }
     }
+
+    #[test]
+    fn a_set_shows_its_ids() {
+        let rules: Vec<_> = RuleId::all().take(2).collect();
+        assert_eq!(format!("{:?}", RuleSet::of(&rules)), format!("{{{}, {}}}", rules[0], rules[1]));
+    }
+
+    #[test]
+    fn a_set_reads_back() {
+        let set: RuleSet = RuleId::all().take(3).collect();
+        assert_eq!(set.as_slice().len(), 3);
+        let json = serde_json::to_string(&set).unwrap_or_default();
+        assert_eq!(serde_json::from_str::<RuleSet>(&json).ok(), Some(set));
+    }
 }
