@@ -58,10 +58,11 @@ impl Interpreter<'_> {
         }
     }
 
-    /// An arc is no start-up, and does not begin beside its circle.
+    /// An arc neither begins nor ends compensation, and does not start beside its circle.
     fn check_arc_start(&self) -> Result<(), Fault> {
         match self.compensation.phase {
             Phase::Starting => Fault::raise(AlarmName::CompensationNotLinear, rules::NRC_19),
+            Phase::Ending => Fault::raise(AlarmName::CompensationNotLinear, rules::NRC_72),
             Phase::LeftOver if self.compensation.displacement != (Point { x: 0, z: 0 }) => {
                 Err(undefined(rules::NRC_71, "arc"))
             }
