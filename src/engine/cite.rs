@@ -2,14 +2,28 @@
 
 use turnspec_oracle::vocabulary::{RuleId, RuleSet, rule_ids};
 
-/// A set of rules that motion events cite.
+/// A set of rules that motion events cite, in two halves.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
-pub struct Cites(pub u128);
+pub struct Cites {
+    /// Rules of all motions.
+    motion: u64,
+    /// Rules of radius compensation.
+    compensation: u64,
+}
 
 impl Cites {
+    /// One rule, by the place of its bit.
+    const fn one(bit: u8) -> Self {
+        if bit < 64 {
+            Self { motion: 1 << bit, compensation: 0 }
+        } else {
+            Self { motion: 0, compensation: 1 << (bit - 64) }
+        }
+    }
+
     /// The union.
     pub const fn and(self, other: Self) -> Self {
-        Self(self.0 | other.0)
+        Self { motion: self.motion | other.motion, compensation: self.compensation | other.compensation }
     }
 
     /// The set, with another one under a condition.
@@ -19,11 +33,13 @@ impl Cites {
 
     /// As a rule set.
     fn rules(self) -> RuleSet {
-        let mut rest = self.0;
         let mut set = RuleSet::EMPTY;
-        while rest != 0 {
-            set = set.with(TABLE[rest.trailing_zeros() as usize]);
-            rest &= rest - 1;
+        for (first, bits) in [(0, self.motion), (64, self.compensation)] {
+            let mut rest = bits;
+            while rest != 0 {
+                set = set.with(TABLE[first + rest.trailing_zeros() as usize]);
+                rest &= rest - 1;
+            }
         }
         set
     }
@@ -37,7 +53,7 @@ macro_rules! cites {
         /// The rules in the order of the bits, which is that of the catalogue.
         const TABLE: &[RuleId] = &[$(rule_ids::$name),*];
         $(
-            pub const $name: Cites = Cites(1 << Bit::$name as u8);
+            pub const $name: Cites = Cites::one(Bit::$name as u8);
         )*
     };
 }
@@ -63,7 +79,7 @@ impl CiteCache {
     /// The rule set of some citations.
     #[inline]
     pub fn rules(&mut self, cites: Cites) -> RuleSet {
-        let folded = (cites.0 ^ (cites.0 >> 61)) as u64;
+        let folded = cites.motion ^ cites.compensation.rotate_left(29);
         let place = (folded.wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 58) as usize;
         let entry = &mut self.entries[place];
         if entry.0 != cites {
@@ -75,7 +91,7 @@ impl CiteCache {
 
 impl Default for CiteCache {
     fn default() -> Self {
-        Self { entries: [(Cites(0), RuleSet::EMPTY); Self::SIZE] }
+        Self { entries: [(Cites::default(), RuleSet::EMPTY); Self::SIZE] }
     }
 }
 

@@ -271,24 +271,17 @@ impl<'a> Interpreter<'a> {
 
     #[inline(always)]
     fn emit_with(&mut self, sink: &mut impl Sink, rules: RuleSet, readings: ReadingSet, action: Action) {
-        if self.compensation.holds() {
-            return self.compensation.hold(Event { n: 0, block: self.place, rules, readings, action });
-        }
-        self.emit_at_once(sink, self.place, rules, readings, action);
+        self.hand_over(sink, Event { n: self.ordinal + 1, block: self.place, rules, readings, action });
     }
 
-    /// Hands an event of a block to the sink, whether events are held or not.
+    /// Hands an event to the sink, or holds it.
     #[inline(always)]
-    fn emit_at_once(
-        &mut self,
-        sink: &mut impl Sink,
-        block: Place,
-        rules: RuleSet,
-        readings: ReadingSet,
-        action: Action,
-    ) {
-        self.ordinal += 1;
-        sink.event(&Event { n: self.ordinal, block, rules, readings, action });
+    fn hand_over(&mut self, sink: &mut impl Sink, event: Event) {
+        if self.compensation.holds() {
+            return self.compensation.hold(&event);
+        }
+        self.ordinal = event.n;
+        sink.event(&event);
     }
 }
 

@@ -10,8 +10,8 @@ use super::Compensation;
 impl Compensation {
     /// Keeps an event until its release, which also numbers it.
     #[cold]
-    pub fn hold(&mut self, event: Event) {
-        self.held.push(event);
+    pub fn hold(&mut self, event: &Event) {
+        self.held.push(*event);
     }
 
     /// Forgets what is held, the waiting motion too.
@@ -32,9 +32,15 @@ impl Interpreter<'_> {
         let mut held = std::mem::take(&mut self.compensation.held);
         for mut event in held.drain(..) {
             displace(&mut event.action, displacement);
-            self.emit_at_once(sink, event.block, event.rules, event.readings, event.action);
+            self.emit_at_once(sink, event);
         }
         self.compensation.held = held;
+    }
+
+    /// Hands an event to the sink, whether others are held or not; it is numbered now.
+    pub(super) fn emit_at_once(&mut self, sink: &mut impl Sink, event: Event) {
+        self.ordinal += 1;
+        sink.event(&Event { n: self.ordinal, ..event });
     }
 }
 

@@ -98,3 +98,27 @@ impl Compensation {
         self.phase == Phase::LeftOver
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use turnspec_oracle::vocabulary::{Event, Setup};
+
+    use crate::engine::Interpreter;
+
+    #[test]
+    fn little_is_held_however_long_no_axis_moves() {
+        let head = "G42 G01 X100 Z100 F0.2 T010101\nZ60\n";
+        let idle = "M08 S100 V1=1 V2=2 V3=3\n".repeat(1000);
+        let program = format!("{head}{idle}X150\nM02\n");
+        let setup = Setup::default();
+        let mut interpreter = Interpreter::new(program.as_bytes(), &setup);
+        let mut events = 0;
+        let mut most = 0;
+        while interpreter.step(&mut |_: &Event| events += 1).is_none() {
+            most = most.max(interpreter.compensation.held.len());
+        }
+        // Two modes, the tool, three motions, two modes of the reset, the end; five events of 1000 blocks each.
+        assert_eq!(events, 9 + 5 * 1000);
+        assert!((5..=10).contains(&most), "{most} events held");
+    }
+}

@@ -3,7 +3,7 @@
 
 use turnspec_oracle::vocabulary::rule_ids as rules;
 use turnspec_oracle::vocabulary::{
-    AlarmName, Feed, Label, Length, Motion, Place, PlanePosition, ReadingSet, RuleId, Sink,
+    AlarmName, Event, Feed, Label, Length, Motion, Place, PlanePosition, ReadingSet, RuleId, Sink,
 };
 
 use crate::engine::Interpreter;
@@ -182,7 +182,7 @@ impl Interpreter<'_> {
         let travel = (waiting.kind, waiting.feed);
         let action = self.action(travel, motion, (&start, &end, waiting.turn), &mut cites, &mut readings);
         let rules = self.cites.rules(cites);
-        self.emit_at_once(sink, waiting.place, rules, readings, action);
+        self.emit_at_once(sink, Event { n: 0, block: waiting.place, rules, readings, action });
         Ok(())
     }
 }
