@@ -115,7 +115,7 @@ fn csv_has_a_fixed_header_and_as_many_columns_in_every_line() {
     let outcome = turnspec(&["run", "--format", "csv", TURN]);
     assert_eq!(outcome.status, 0);
     let lines: Vec<Vec<&str>> = outcome.stdout.lines().map(|line| line.split(',').collect()).collect();
-    assert!(lines.iter().all(|line| line.len() == 44));
+    assert!(lines.iter().all(|line| line.len() == 48));
     assert_eq!(&lines[0][..7], ["n", "line", "sequence", "program", "kind", "x", "z"]);
     let column = |name: &str| lines[0].iter().position(|each| *each == name).unwrap();
     let linear = &lines[5];
@@ -123,6 +123,23 @@ fn csv_has_a_fixed_header_and_as_many_columns_in_every_line() {
         [("kind", "linear"), ("z", "-20"), ("mz", "130"), ("feed", "0.2"), ("feed_unit", "mm/rev")]
     {
         assert_eq!(linear[column(name)], value, "{name}");
+    }
+}
+
+#[test]
+fn in_radius_compensation_the_tip_is_shown() {
+    let setup = Scratch::new("nose.toml", b"[[nose_radius]]\nnumber = 1\nx = 0.8\nz = 0.8\n");
+    let program = Scratch::new("nose.min", b"G42 G01 X100 Z100 F0.2 T010101\nZ60\nX150\nG40 X160\nM02\n");
+    let run = |format| turnspec(&["run", "--format", format, "--setup", setup.path(), program.path()]).stdout;
+    // The corner of E100L-NRC-26: the nose touches both lines, 0.8 from either.
+    let table = run("table");
+    assert!(table.contains("linear to X100 Z60 (tip X100 Z60) at 0.2 mm/rev"), "{table}");
+    assert!(table.contains("linear to X160 Z60 at 0.2 mm/rev"), "{table}");
+    let csv = run("csv");
+    let lines: Vec<Vec<&str>> = csv.lines().map(|line| line.split(',').collect()).collect();
+    let column = |name: &str| lines[0].iter().position(|each| *each == name).unwrap();
+    for (name, value) in [("z", "60"), ("tx", "100"), ("tz", "60"), ("nx", "101.6"), ("nz", "60.8")] {
+        assert_eq!(lines[5][column(name)], value, "{name}");
     }
 }
 

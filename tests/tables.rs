@@ -25,8 +25,10 @@ fn every_g_code() {
 
 #[test]
 fn every_pair_of_modelled_g_codes() {
-    const CODES: [u16; 23] =
-        [0, 1, 2, 3, 4, 13, 18, 22, 28, 29, 40, 50, 64, 65, 75, 76, 90, 91, 94, 95, 96, 97, 110];
+    const CODES: [u16; 27] = [
+        0, 1, 2, 3, 4, 13, 17, 18, 22, 28, 29, 40, 41, 42, 50, 64, 65, 75, 76, 90, 91, 94, 95, 96, 97, 110,
+        119,
+    ];
     for first in CODES {
         for second in CODES {
             agree_on_text(&format!("F1 G{first} G{second} S100\nX10 Z5\nG{second} X3 L1 F2\nZ10\nM30\n"));

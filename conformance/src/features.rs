@@ -68,6 +68,8 @@ criteria! {
     MTool "address SB; a command to the spindle `tool`" |has| has.name("SB") || has.spindle(SpindleName::Tool);
     OptionalStop "M01" |has| has.m(&[1]);
     ProgramName "a program name, a file header, a percent sign" |has| has.words.program_name;
+    RadiusCompensation "G17, G18, G119, G40 to G42; a rule of NRC, CRC" |has| has.g(&[17, 18, 119, 40, 41, 42])
+        || has.area(&["NRC", "CRC"]);
     Rapid "G00; a `rapid` event" |has| has.g(&[0]) || has.kind(|action| matches!(action, Action::Rapid { .. }));
     Rounding "G76" |has| has.g(&[76]);
     SequenceName "a sequence name" |has| has.words.sequence;

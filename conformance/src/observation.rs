@@ -46,7 +46,6 @@ const PLAIN: &[(&str, &str)] = &[
     ("with_motion", "with_motion"),
     ("tool", "tool"),
     ("offset", "offset"),
-    ("nose", "nose"),
     ("index", "index"),
     ("on", "on"),
     ("code", "code"),
@@ -59,6 +58,10 @@ const PLAIN: &[(&str, &str)] = &[
 ];
 const PROGRAM: &[(&str, &str)] = &[("x", "x"), ("z", "z"), ("c", "c"), ("w", "w")];
 const MACHINE: &[(&str, &str)] = &[("x", "mx"), ("z", "mz"), ("c", "mc"), ("w", "mw")];
+const TIP: &[(&str, &str)] = &[("x", "tx"), ("z", "tz")];
+const NOSE: &[(&str, &str)] = &[("x", "nx"), ("z", "nz")];
+/// A tool event has its radius number where a motion has its nose centre.
+const NOSE_NUMBER: &[(&str, &str)] = &[("nose", "nose")];
 const BLOCK: &[(&str, &str)] = &[("line", "line"), ("sequence", "block"), ("program", "program")];
 
 /// Fields that tell the block: compared only when an implementation reports them.
@@ -70,7 +73,7 @@ const SHOWN: usize = 600;
 /// Whether compact notation has such a field.
 #[must_use]
 pub fn is_field(name: &str) -> bool {
-    let tables = [PLAIN, PROGRAM, MACHINE, BLOCK];
+    let tables = [PLAIN, PROGRAM, MACHINE, TIP, NOSE, NOSE_NUMBER, BLOCK];
     ["f", "value"].contains(&name) || tables.into_iter().flatten().any(|(_, field)| *field == name)
 }
 
@@ -99,6 +102,12 @@ impl Observation {
         let mut fields = Fields(Vec::new());
         fields.members("program", &object, PROGRAM)?;
         fields.members("machine", &object, MACHINE)?;
+        fields.members("tip", &object, TIP)?;
+        if kind == "tool" {
+            fields.scalars("", &object, NOSE_NUMBER)?;
+        } else {
+            fields.members("nose", &object, NOSE)?;
+        }
         if ["frame", "torque"].contains(&kind.as_str()) {
             fields.scalars("", &object, PROGRAM)?;
         }

@@ -106,7 +106,9 @@ fn quantity(kind: &str, field: &str) -> Option<Quantity> {
     match (kind, field) {
         // Percent of the rated torque, whole numbers.
         ("torque", _) => None,
-        (_, "x" | "z" | "w" | "mx" | "mz" | "mw" | "cx" | "cz" | "path") => Some(Quantity::Length),
+        (_, "x" | "z" | "w" | "mx" | "mz" | "mw" | "tx" | "tz" | "nx" | "nz" | "cx" | "cz" | "path") => {
+            Some(Quantity::Length)
+        }
         ("frame", "c") | (_, "c_travel") => Some(Quantity::Angle),
         (_, "c" | "mc") => Some(Quantity::Direction),
         (_, "f") => Some(Quantity::Feed),
@@ -150,7 +152,11 @@ mod tests {
     #[test]
     fn each_field_has_the_tolerance_of_its_quantity() {
         for (quantity, kind, fields) in [
-            ("length", "linear", &["x", "z", "w", "mx", "mz", "mw", "cx", "cz", "path"][..]),
+            (
+                "length",
+                "linear",
+                &["x", "z", "w", "mx", "mz", "mw", "tx", "tz", "nx", "nz", "cx", "cz", "path"][..],
+            ),
             ("length", "frame", &["x", "z", "w"]),
             ("angle", "linear", &["c", "mc", "c_travel"]),
             ("angle", "frame", &["c"]),

@@ -33,6 +33,14 @@ const RULES: [RuleId; RuleSet::CAPACITY + 1] = [
     id::CHAM_01,
     id::CHAM_02,
     id::CHAM_03,
+    id::CHAM_04,
+    id::CHAM_05,
+    id::CHAM_06,
+    id::CHAM_07,
+    id::CHAM_08,
+    id::CHAM_09,
+    id::CHAM_10,
+    id::CHAM_11,
     id::FEED_01,
 ];
 

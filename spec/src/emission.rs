@@ -1,5 +1,6 @@
 //! What a stage emits, before the run numbers it and gives it its place.
 
+use crate::path::Point;
 use crate::vocabulary::{Action, Reading, ReadingSet, RuleId, RuleSet};
 
 /// An event without number and place.
@@ -11,12 +12,15 @@ pub struct Emission {
     pub rules: RuleSet,
     /// The readings it depends on.
     pub readings: ReadingSet,
+    /// From the tip to the nose centre (X as a diameter, Z), of a motion that leaves the tip where the motion before
+    /// it brings it: tip and nose are shown when its turn comes.
+    pub at_rest: Option<Point>,
 }
 
 impl Emission {
     /// An event that these rules produced.
     pub fn new(action: Action, rules: RuleSet) -> Self {
-        Self { action, rules, readings: ReadingSet::default() }
+        Self { action, rules, readings: ReadingSet::default(), at_rest: None }
     }
 
     /// The event, depending on a reading.
@@ -27,6 +31,11 @@ impl Emission {
     /// The event, depending on these readings.
     pub fn readings(self, readings: ReadingSet) -> Self {
         Self { readings: self.readings.union(readings), ..self }
+    }
+
+    /// The event, produced by these rules too.
+    pub fn rules(self, rules: RuleSet) -> Self {
+        Self { rules: self.rules.union(rules), ..self }
     }
 
     /// The event, produced by one more rule if `holds`.

@@ -9,11 +9,12 @@
 //! speed.
 //!
 //! One way through it, a stage a room: `syntax` (text to blocks), `task` (expressions and variables),
-//! `modal` (codes and modes), `path` (motion), `frame` (machine coordinates and limits); `controls` holds the
-//! tables, `integer`, `quantity` and `real` the numbers.
+//! `modal` (codes and modes), `path` (motion), `compensation` (nose radius), `frame` (machine coordinates and
+//! limits); `controls` holds the tables, `integer`, `quantity` and `real` the numbers.
 
 pub mod book;
 mod check;
+mod compensation;
 mod controls;
 mod emission;
 mod fault;

@@ -2,19 +2,21 @@
 
 use std::collections::{BTreeSet, VecDeque};
 
+use crate::compensation::{Compensation, Stream};
 use crate::emission::Emission;
 use crate::fault::{Fault, Outcome};
-use crate::modal::{self, Plan, Words};
+use crate::modal::{self, Before, Plan, Words};
 use crate::path::{self, Ahead};
-use crate::state::{Modes, State};
+use crate::state::State;
 use crate::syntax::{Body, Item, ItemKind, Source, parse};
 use crate::vocabulary::rule_ids::*;
-use crate::vocabulary::{Action, AlarmName, Ending, Event, Label, Place, ReadingSet, Setup, Sink};
+use crate::vocabulary::{Action, AlarmName, Ending, Event, Label, Place, Setup, Sink};
 
 /// A run of the oracle, block by block.
 pub struct Run<'a> {
     source: Source<'a>,
     state: State<'a>,
+    compensation: Compensation,
     setup: &'a Setup,
     sequence_names: BTreeSet<Label>,
     program_name: Label,
@@ -60,6 +62,7 @@ impl<'a> Run<'a> {
         Self {
             source: Source::new(program, setup.tape.code),
             state: State::new(setup),
+            compensation: Compensation::Off,
             setup,
             sequence_names: BTreeSet::new(),
             program_name: Label::default(),
@@ -70,7 +73,7 @@ impl<'a> Run<'a> {
         }
     }
 
-    /// Carries out the next block; its events go to the sink. `Some` when the run has ended.
+    /// Carries out the next block; the events that are decided then go to the sink. `Some` when the run has ended.
     pub fn step(&mut self, sink: &mut impl Sink) -> Option<Ending> {
         if self.ending.is_some() {
             return self.ending;
@@ -78,18 +81,14 @@ impl<'a> Run<'a> {
         let mut emissions = Vec::new();
         let mut place = Place::default();
         let result = self.block(&mut place, &mut emissions);
-        for emission in emissions {
+        for (place, emission) in emissions {
             self.send(place, emission, sink);
         }
         match result {
             Ok(Progress::Going) => {}
             Ok(Progress::Ended) => self.ending = Some(Ending::End),
             Err(fault) => {
-                let alarm = Emission {
-                    action: Action::Alarm(fault.alarm),
-                    rules: fault.rules,
-                    readings: ReadingSet::default(),
-                };
+                let alarm = Emission::new(Action::Alarm(fault.alarm), fault.rules);
                 self.send(fault.block.unwrap_or(place), alarm, sink);
                 self.ending = Some(Ending::Alarm);
             }
@@ -99,48 +98,79 @@ impl<'a> Run<'a> {
 
     fn send(&mut self, block: Place, emission: Emission, sink: &mut impl Sink) {
         self.events += 1;
-        let Emission { action, rules, readings } = emission;
+        let Emission { action, rules, readings, .. } = emission;
         sink.event(&Event { n: self.events, block, rules, readings, action });
     }
 
-    /// Carries out one block. The place is set as soon as it is known.
-    pub(crate) fn block(&mut self, place: &mut Place, emissions: &mut Vec<Emission>) -> Outcome<Progress> {
+    /// Carries out one block: the events that are decided then, in order, each with its place. The place of the
+    /// block is set as soon as it is known.
+    pub(crate) fn block(
+        &mut self,
+        place: &mut Place,
+        decided: &mut Vec<(Place, Emission)>,
+    ) -> Outcome<Progress> {
         let next = match self.waiting.pop_front() {
             Some(next) => next,
             None => self.read(place)?,
         };
         *place = next.place;
-        let words = match next.content {
+        let mut stream = self.compensation.stream(*place, decided);
+        let progress = self.carry_out(next.content, &mut stream);
+        stream.close();
+        progress
+    }
+
+    fn carry_out(&mut self, content: Content, stream: &mut Stream) -> Outcome<Progress> {
+        let words = match content {
             Content::End => return Err(Fault::new(AlarmName::NoProgramEnd, PROG_02)),
             Content::Name => return Ok(Progress::Going),
             Content::Words(words) => *words,
-            Content::Items(items) => modal::evaluate(&items, &mut self.state, emissions)?,
+            // A sequence name alone.
+            Content::Items(items) if items.is_empty() => return Ok(Progress::Going),
+            Content::Items(items) => modal::evaluate(&items, &mut self.state, &mut stream.emissions)?,
         };
-        let after_angle = self.state.angle_target.is_some();
-        let plan = modal::check(words, self.state.modes, after_angle, &self.state)?;
-        modal::before_motion(&plan, &mut self.state, emissions)?;
+        let plan = modal::check(words, self.before(), &self.state)?;
+        modal::before_motion(&plan, &mut self.state, &mut stream.emissions)?;
         if plan.words.assigns || plan.words.get('T').is_some() || plan.one_shot == Some(50) {
             // The frame may have changed: a corner of before means nothing now.
             self.state.base = None;
         }
-        self.motion(&plan, emissions)?;
-        let ended = modal::after_motion(&plan, &mut self.state, emissions);
-        Ok(if ended { Progress::Ended } else { Progress::Going })
+        let moved = self.motion(&plan, stream)?;
+        if modal::ends_program(&plan) {
+            self.compensation.end_of_program(stream, &self.state)?;
+        }
+        if modal::after_motion(&plan, &mut self.state, &mut stream.emissions) {
+            return Ok(Progress::Ended);
+        }
+        self.compensation.end_of_block(moved, stream, &self.state)?;
+        Ok(Progress::Going)
     }
 
-    fn motion(&mut self, plan: &Plan, emissions: &mut Vec<Emission>) -> Outcome<()> {
+    fn before(&self) -> Before {
+        Before {
+            modes: self.state.modes,
+            after_angle: self.state.angle_target.is_some(),
+            left_over: self.compensation.is_left_over(),
+        }
+    }
+
+    /// The motion of a block, or what it does instead; whether it has or computes X or Z.
+    fn motion(&mut self, plan: &Plan, stream: &mut Stream) -> Outcome<bool> {
+        let mut elements = Vec::new();
+        let mut dwell = None;
         match plan.one_shot {
             Some(4) => {
                 let number = plan.words.feed.clone().unwrap_or_default();
-                emissions.push(modal::dwell(&number, &self.state)?);
+                dwell = Some(modal::dwell(&number, &self.state)?);
             }
+            Some(22) => path::torque_skip(plan, &mut self.state, &mut stream.emissions)?,
             _ if plan.moves => {
                 let ahead = self.look_ahead(plan)?;
-                path::motion(plan, &ahead, &mut self.state, emissions)?;
+                elements = path::elements(plan, &ahead, &mut self.state)?;
             }
             _ => {}
         }
-        Ok(())
+        self.compensation.motion(plan, &elements, dwell, stream, &mut self.state)
     }
 
     /// Reads the next block that is one (neither empty nor skipped). The place is set as soon as it is known.
@@ -185,23 +215,26 @@ impl<'a> Run<'a> {
         if !plan.is_angle_only() && !is_any_angle_chamfer(plan, self.setup) {
             return Ok(ahead);
         }
-        let next = self.peek(0, plan)?;
+        // The needing block leads away from a displacement that was left over.
+        let before = Before { modes: self.state.modes, after_angle: plan.is_angle_only(), left_over: false };
+        let next = self.peek(0, before)?;
         ahead.extend(next.clone());
         let (next, place) = path::next_block(plan, &ahead)?;
         // E100L-ANG-06: an angle-only line ends on the line of the block after it; when that line is the one
         // behind a corner, its own end needs one block more.
         if next.is_angle_only() && !plan.is_angle_only() {
             let next = next.clone();
-            let further = self.peek(1, &next)?;
+            let before = Before { modes: next.modes, after_angle: true, left_over: false };
+            let further = self.peek(1, before)?;
             path::next_block(&next, further.as_slice()).map_err(|fault| fault.of_block(place))?;
             ahead.extend(further);
         }
         Ok(ahead)
     }
 
-    /// The block `index` places further, checked as the one after `before`; none if there is nothing that a
+    /// The block `index` places further, checked as one that comes after this; none if there is nothing that a
     /// corner could be computed from.
-    fn peek(&mut self, index: usize, before: &Plan) -> Outcome<Option<Ahead>> {
+    fn peek(&mut self, index: usize, before: Before) -> Outcome<Option<Ahead>> {
         if self.waiting.len() <= index {
             let mut place = Place::default();
             let read = self.read(&mut place).map_err(|fault| fault.of_block(place))?;
@@ -219,8 +252,7 @@ impl<'a> Run<'a> {
         }
         let Content::Words(words) = &waiting.content else { return Ok(None) };
         let words = words.as_ref().clone();
-        let modes: Modes = before.modes;
-        let plan = modal::check(words, modes, before.is_angle_only(), &self.state);
+        let plan = modal::check(words, before, &self.state);
         plan.map(|plan| Some(Ahead { plan, place })).map_err(|fault| fault.of_block(place))
     }
 }

@@ -28,6 +28,8 @@ pub struct State<'a> {
     pub spindle: SpindleStore,
     /// Active tool (turret station).
     pub tool: u8,
+    /// Active nose radius number.
+    pub nose: u8,
     /// Torque limits of Z and W in percent.
     pub torque: (Option<u8>, Option<u8>),
     /// How many torque stops of the set-up were used.
@@ -97,6 +99,7 @@ impl<'a> State<'a> {
             feed: None,
             spindle: SpindleStore::default(),
             tool: 0,
+            nose: 0,
             torque: (None, None),
             stops_used: 0,
             cut_last: false,
@@ -161,6 +164,11 @@ impl Modes {
         if let Some(slot) = index.and_then(|index| self.0.get_mut(index)) {
             *slot = code;
         }
+    }
+
+    /// Whether G41 or G42 is in force.
+    pub fn compensating(&self) -> bool {
+        self.get(GGroup::Compensation) != 40
     }
 
     /// Whether G91 is in force.

@@ -1,6 +1,6 @@
 //! `check` finds every fault of a program at once, and nothing in a program that runs.
 
-use turnspec_oracle::vocabulary::{AlarmName, Setup, TapeCode};
+use turnspec_oracle::vocabulary::{AlarmName, Length, Setup, TapeCode};
 use turnspec_oracle::{Diagnostic, check};
 
 /// Line, alarm and text at fault of each diagnostic.
@@ -70,6 +70,18 @@ fn reading_goes_on_behind_a_character_that_is_none() {
     let found = check(b"G00 ?\nG00 X123456789\nM02\n", &setup);
     let names: Vec<_> = found.iter().map(|fault| fault.alarm.name).collect();
     assert_eq!(names, [AlarmName::IllegalCharacter, AlarmName::TooManyDigits]);
+}
+
+/// In radius compensation the end of a motion is found at fault when a later block is read; the block of the motion
+/// is the one to mend.
+#[test]
+fn a_fault_of_a_motion_that_waited_is_shown_at_its_block() {
+    let program = "G42 G01 X100 Z100 F0.2\nZ80\nX150\nM02\n";
+    let mut setup = Setup::default();
+    setup.limits.z.negative = Some(Length(90_000_000));
+    let found = check(program.as_bytes(), &setup);
+    let faults: Vec<_> = found.iter().map(|fault| (fault.block.line, fault.alarm.name)).collect();
+    assert_eq!(faults, [(2, AlarmName::TravelLimitNegative)]);
 }
 
 #[test]

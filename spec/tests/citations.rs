@@ -1,7 +1,8 @@
 //! What an event must not cite: rules and readings that have nothing to do with it. The examples of the rule
 //! texts name what an event must cite.
 
-use turnspec_oracle::vocabulary::{Chamfering, Event, RuleId, Setup, UnitSystem};
+use turnspec_oracle::vocabulary::notation::render;
+use turnspec_oracle::vocabulary::{Chamfering, Event, Length, NoseRadius, RuleId, Setup, UnitSystem};
 
 /// The event with this ordinal.
 fn event(program: &str, setup: &Setup, ordinal: usize) -> Event {
@@ -42,6 +43,51 @@ fn only_lengths_in_inches_are_converted() {
             "{words}"
         );
     }
+}
+
+/// Every motion cites the rules of radius compensation that made its end what it is, and no others.
+#[test]
+fn motions_cite_the_rules_of_their_ends() {
+    let program = "G00 X100 Z100 T010101\nG42 X80\nG01 Z50 F0.2\nX120\nX120\nM08\nG03 X160 Z30 K-20\nG01 Z10\n\
+                   M08\nM09\nX200\nG41 Z-20\nG40 X300 I10\nX310\nM02\n";
+    let expected = [
+        "rapid",
+        "mode 01",
+        "rapid 07 14 15",
+        "mode",
+        "linear 07 26 42",
+        "linear 07 42 45",
+        // The point repeated, one block between, and a tangential arc.
+        "linear 07 42 43 46 49",
+        "coolant",
+        "mode",
+        "arc 07 48 49 60",
+        "mode",
+        "linear 07 42 44",
+        "coolant",
+        "coolant",
+        // The extra motion.
+        "linear 07 26 42 46",
+        "linear 07 26 42 62",
+        "mode 01 61",
+        "linear 07 26 42 69",
+        "mode 01",
+        "linear 66",
+        "linear",
+        "mode",
+        "end",
+    ];
+    let entry = NoseRadius { number: 1, x: Length(800_000), z: Length(800_000) };
+    let setup = Setup { nose_radius: vec![entry], ..Setup::default() };
+    let mut found = Vec::new();
+    turnspec_oracle::run(program.as_bytes(), &setup, &mut |event: &Event| {
+        let text = render(event);
+        let rules = event.rules.as_slice().iter().filter_map(|rule| rule.as_str().strip_prefix("E100L-NRC-"));
+        let kind = text.split(' ').next().unwrap_or_default().to_owned();
+        found.push(rules.fold(kind, |line, rule| line + " " + rule));
+    });
+    found.retain(|line| line != "tool");
+    assert_eq!(found, expected);
 }
 
 /// E100L-CHAM-13 is about increments: an absolute block behind a basic chamfer depends on no reading of it.

@@ -6,7 +6,7 @@ use turnspec_oracle::vocabulary::{Event, notation};
 
 /// The columns, in order. After the place of the event, its kind, and its fields as compact notation names
 /// them; the feed and its unit are apart.
-pub const COLUMNS: [&str; 43] = [
+pub const COLUMNS: [&str; 47] = [
     "n",
     "line",
     "sequence",
@@ -20,6 +20,10 @@ pub const COLUMNS: [&str; 43] = [
     "mz",
     "mc",
     "mw",
+    "tx",
+    "tz",
+    "nx",
+    "nz",
     "c_travel",
     "speed",
     "feed",
@@ -110,7 +114,7 @@ mod tests {
 
     /// One event of every kind, with every optional field.
     const EVENTS: &str = r#"
-        {"kind":"rapid","program":{"x":"1","z":"2","c":"3","w":"4"},"machine":{"x":"1","z":"2","c":"3","w":"4"},"c_travel":"5","speed":"6"}
+        {"kind":"rapid","program":{"x":"1","z":"2","c":"3","w":"4"},"machine":{"x":"1","z":"2","c":"3","w":"4"},"tip":{"x":"5","z":"6"},"nose":{"x":"7","z":"8"},"c_travel":"5","speed":"6"}
         {"kind":"linear","program":{"x":"1","z":"2"},"machine":{"x":"1","z":"2"},"feed":{"value":"0.2","unit":"mm/rev"},"path":"7"}
         {"kind":"arc","program":{"x":"1","z":"2"},"machine":{"x":"1","z":"2"},"feed":{"value":"100","unit":"mm/min"},"sense":"clockwise","centre_x":"8","centre_z":"9"}
         {"kind":"dwell","time":"1"}

@@ -8,7 +8,7 @@ use turnspec_oracle::vocabulary::{
     SpindleState, Value,
 };
 
-/// What happens, in program coordinates.
+/// What happens, in program coordinates; of a motion in radius compensation also where the tip is.
 pub fn describe(event: &Event) -> String {
     match &event.action {
         Action::Rapid { motion } => format!("rapid to {}{}", end_point(motion), turning(motion)),
@@ -59,6 +59,9 @@ fn end_point(motion: &Motion) -> String {
     }
     if let Some(w) = end.w {
         let _ = write!(text, " W{w}");
+    }
+    if let Some(tip) = motion.tip {
+        let _ = write!(text, " (tip X{} Z{})", tip.x, tip.z);
     }
     text
 }

@@ -4,6 +4,7 @@ use turnspec_oracle::vocabulary::rule_ids::*;
 use turnspec_oracle::vocabulary::{AlarmName, Chamfering, Label};
 
 use super::Interpreter;
+use super::compensation::Change;
 use super::fault::Fault;
 use super::words::{Address, Parsed, Words};
 
@@ -51,10 +52,13 @@ pub struct Plan {
     pub moves: bool,
     /// Whether A is its only coordinate.
     pub only_angle: bool,
+    /// What the block does to radius compensation.
+    pub compensation: Change,
 }
 
 const AXES: u32 = Address::set(&[Address::X, Address::Z, Address::C, Address::W, Address::A, Address::QA]);
 const ARC: u32 = Address::set(&[Address::I, Address::K, Address::L, Address::Calrg]);
+const IMAGINARY: u32 = Address::set(&[Address::I, Address::K]);
 const ALWAYS: u32 = Address::set(&[Address::F, Address::S, Address::T, Address::SB, Address::SA]);
 const ARC_TAKES: u32 =
     Address::set(&[Address::X, Address::Z, Address::I, Address::K, Address::L, Address::Calrg]);
@@ -95,10 +99,12 @@ impl Interpreter<'_> {
                 return Fault::raise(AlarmName::AxisMissing, AXIS_01);
             }
         }
-        check_functions(words, one_shot, arc)?;
+        let compensation = self.compensation_change(words);
+        check_functions(words, one_shot, arc, compensation)?;
+        self.check_compensation(words, one_shot, motion, compensation)?;
         let coordinate = words.has(Address::X) || words.has(Address::Z);
         let only_angle = free && !arc && words.has(Address::A) && !coordinate;
-        Ok(Plan { one_shot, motion, moves, only_angle })
+        Ok(Plan { one_shot, motion, moves, only_angle, compensation })
     }
 
     fn check_one_shot(
@@ -252,10 +258,11 @@ pub fn full_circle() -> Fault {
 }
 
 /// Every word needs a function that takes it.
-fn check_functions(words: &Words, one_shot: OneShot, arc: bool) -> Result<(), Fault> {
+fn check_functions(words: &Words, one_shot: OneShot, arc: bool, compensation: Change) -> Result<(), Fault> {
     let takes = ALWAYS
         | match one_shot {
             OneShot::None if arc => ARC_TAKES,
+            OneShot::None if compensation != Change::None => AXES | IMAGINARY,
             OneShot::None => AXES,
             OneShot::Dwell | OneShot::TorqueOff => 0,
             OneShot::TorqueSkip => SKIP_TAKES,

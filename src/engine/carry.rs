@@ -7,6 +7,7 @@ use super::Interpreter;
 use super::arithmetic::speed::thousandths;
 use super::arithmetic::{frame, turn};
 use super::block::{OneShot, Plan};
+use super::compensation::Change;
 use super::fault::Fault;
 use super::planted::{self, Bug};
 use super::state::{C, StoredFeed, W, X, Z};
@@ -33,6 +34,7 @@ impl Interpreter<'_> {
         if plan.one_shot == OneShot::ZeroShift || words.has(Address::T) || parsed.has_assignment {
             self.state.base = None;
         }
+        self.change_compensation(plan.compensation, words);
         match plan.one_shot {
             OneShot::Dwell => self.dwell(words, sink)?,
             OneShot::TorqueSkip => self.torque_skip(words, sink)?,
@@ -41,7 +43,15 @@ impl Interpreter<'_> {
             _ if plan.moves => self.line(slot, plan, sink)?,
             _ => {}
         }
-        Ok(self.stop(words, sink))
+        if plan.compensation != Change::None {
+            self.complete_change(sink)?;
+        }
+        let ending = self.stop(words, sink)?;
+        // A block that is only a name does not count.
+        if self.compensation.acts() && ending.is_none() && !parsed.items.is_empty() {
+            self.finish_block(sink)?;
+        }
+        Ok(ending)
     }
 
     /// A G code that changes its modal group.
@@ -62,6 +72,16 @@ impl Interpreter<'_> {
                     _ => with!(CIRC_01),
                 };
                 (const { Label::new("motion") }, previous, previous != code, rules)
+            }
+            17 | 18 | 119 => {
+                let previous = std::mem::replace(&mut state.plane, code);
+                (const { Label::new("plane") }, previous, previous != code, with!(CRC_01))
+            }
+            40..=42 => {
+                let previous = std::mem::replace(&mut state.compensation, code);
+                let sides = previous != 40 && code != 40;
+                let rules = if sides { with!(NRC_01).with(NRC_61) } else { with!(NRC_01) };
+                (const { Label::new("compensation") }, previous, previous != code, rules)
             }
             64 => (const { Label::new("droop") }, 65, flag(&mut state.droop_control, false), with!(DROOP_02)),
             65 => (const { Label::new("droop") }, 64, flag(&mut state.droop_control, true), with!(DROOP_01)),
@@ -88,7 +108,14 @@ impl Interpreter<'_> {
         }
     }
 
-    fn emit_mode(&mut self, sink: &mut impl Sink, group: Label, code: u16, previous: u16, rules: RuleSet) {
+    pub(super) fn emit_mode(
+        &mut self,
+        sink: &mut impl Sink,
+        group: Label,
+        code: u16,
+        previous: u16,
+        rules: RuleSet,
+    ) {
         let action = Action::Mode {
             group,
             code: Label::of_code(b'G', code),
@@ -158,14 +185,17 @@ impl Interpreter<'_> {
         if !words.feed.within(unit, 10_000, 9_999_990_000) {
             return Fault::raise(AlarmName::AddressRange, DWELL_02);
         }
+        self.cancel_before_dwell(sink)?;
         let time = Duration(words.feed.rounded(unit, 1));
         self.emit(sink, const { RuleSet::of(&[DWELL_01, DWELL_02]) }, Action::Dwell { time });
         Ok(())
     }
 
     /// M00, M01, M02 and M30.
-    fn stop(&mut self, words: &Words, sink: &mut impl Sink) -> Option<Ending> {
-        let code = words.m_codes().iter().copied().find(|code| matches!(code, 0 | 1 | 2 | 30))?;
+    fn stop(&mut self, words: &Words, sink: &mut impl Sink) -> Result<Option<Ending>, Fault> {
+        let Some(code) = words.m_codes().iter().copied().find(|code| matches!(code, 0 | 1 | 2 | 30)) else {
+            return Ok(None);
+        };
         match code {
             0 => self.emit(sink, const { RuleSet::of(&[MCODE_02]) }, Action::Stop),
             1 if self.setup.switches.optional_stop => {
@@ -173,6 +203,9 @@ impl Interpreter<'_> {
             }
             1 => {}
             _ => {
+                if self.compensation.acts() {
+                    self.complete_compensation(sink)?;
+                }
                 let late = planted::is(Bug::ResetAfterEnd);
                 if !late {
                     self.reset(sink);
@@ -182,10 +215,10 @@ impl Interpreter<'_> {
                 if late {
                     self.reset(sink);
                 }
-                return Some(Ending::End);
+                return Ok(Some(Ending::End));
             }
         }
-        None
+        Ok(None)
     }
 
     /// Reset at the end of the program.
@@ -198,6 +231,14 @@ impl Interpreter<'_> {
             (state.per_minute, "feed_unit", 95, 94, const { RuleSet::of(&[MCODE_04, FEED_01]) }),
             (state.constant_speed, "cutting_speed", 97, 96, const { RuleSet::of(&[MCODE_04]) }),
             (droop, "droop", 64, 65, const { RuleSet::of(&[MCODE_04]) }),
+            (
+                state.compensation != 40,
+                "compensation",
+                40,
+                state.compensation,
+                const { RuleSet::of(&[MCODE_04, NRC_01]) },
+            ),
+            (state.plane != 18, "plane", 18, state.plane, const { RuleSet::of(&[MCODE_04, CRC_04]) }),
         ];
         for (changed, group, code, previous, rules) in changes {
             if changed {

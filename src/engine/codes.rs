@@ -25,9 +25,9 @@ pub enum GGroup {
     Motion,
     /// G13.
     Turret,
-    /// G18.
+    /// G17, G18, G119.
     Plane,
-    /// G40.
+    /// G40, G41, G42.
     Compensation,
     /// G64, G65.
     Droop,
@@ -96,8 +96,8 @@ pub fn g_group(code: u16) -> Option<GGroup> {
         0..=3 => GGroup::Motion,
         4 | 22 | 28 | 29 | 50 | 75 | 76 => GGroup::OneShot,
         13 => GGroup::Turret,
-        18 => GGroup::Plane,
-        40 => GGroup::Compensation,
+        17 | 18 | 119 => GGroup::Plane,
+        40..=42 => GGroup::Compensation,
         64 | 65 => GGroup::Droop,
         90 | 91 => GGroup::Dimension,
         94 | 95 => GGroup::FeedUnit,

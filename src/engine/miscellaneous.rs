@@ -33,6 +33,7 @@ impl Interpreter<'_> {
         let before = self.state.active_offset();
         self.state.offset =
             if planted::is(Bug::OffsetOfPreviousTool) && tool == 0 { self.state.offset } else { offset };
+        self.state.nose = nose;
         self.emit(sink, rules, Action::Tool { tool, offset, nose, index });
         self.check_time(self.setup.stm.t)?;
         if before != self.state.active_offset() {
@@ -111,6 +112,11 @@ impl Interpreter<'_> {
                     _ => {}
                 }
                 self.emit_aux(sink, code, codes::m_rules(code));
+                if code == 109 && self.state.plane != 18 {
+                    let previous = std::mem::replace(&mut self.state.plane, 18);
+                    let group = const { Label::new("plane") };
+                    self.emit_mode(sink, group, 18, previous, const { RuleSet::of(&[CRC_03]) });
+                }
             }
         }
         Ok(())

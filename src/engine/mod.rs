@@ -13,6 +13,7 @@ mod carry;
 mod chamfer;
 mod cite;
 pub mod codes;
+mod compensation;
 mod evaluate;
 mod exact;
 mod expression;
@@ -47,6 +48,7 @@ pub use exact::SlowPaths;
 use arithmetic::span::offset;
 use arithmetic::units::Units;
 use cite::CiteCache;
+use compensation::Compensation;
 use fault::Fault;
 use functions::Scales;
 use names::Names;
@@ -80,6 +82,7 @@ pub struct Interpreter<'a> {
     /// Whether the block in progress has a length word in inches.
     inch_block: bool,
     state: State,
+    compensation: Compensation,
     ordinal: u64,
     ending: Option<Ending>,
     cites: CiteCache,
@@ -137,6 +140,7 @@ impl<'a> Interpreter<'a> {
             fault_place: None,
             inch_block: false,
             state: State::new(setup),
+            compensation: Compensation::default(),
             ordinal: 0,
             ending: None,
             cites: CiteCache::default(),
@@ -160,6 +164,7 @@ impl<'a> Interpreter<'a> {
                 if let Some(place) = self.fault_place {
                     self.place = place;
                 }
+                self.compensation.drop_held();
                 let alarm = Alarm::about(fault.name, fault.detail);
                 self.emit(sink, RuleSet::of(&[fault.rule]), Action::Alarm(alarm));
                 self.ending = Some(Ending::Alarm);
@@ -175,6 +180,9 @@ impl<'a> Interpreter<'a> {
     }
 
     fn next_block(&mut self, slot: &mut Slot, sink: &mut impl Sink) -> Result<Option<Ending>, Fault> {
+        if self.compensation.acts() {
+            self.compensation.begin_block();
+        }
         if self.ahead_count > 0 {
             std::mem::swap(slot, &mut self.ahead[0]);
             self.ahead.swap(0, 1);
@@ -263,8 +271,17 @@ impl<'a> Interpreter<'a> {
 
     #[inline(always)]
     fn emit_with(&mut self, sink: &mut impl Sink, rules: RuleSet, readings: ReadingSet, action: Action) {
-        self.ordinal += 1;
-        sink.event(&Event { n: self.ordinal, block: self.place, rules, readings, action });
+        self.hand_over(sink, Event { n: self.ordinal + 1, block: self.place, rules, readings, action });
+    }
+
+    /// Hands an event to the sink, or holds it.
+    #[inline(always)]
+    fn hand_over(&mut self, sink: &mut impl Sink, event: Event) {
+        if self.compensation.holds() {
+            return self.compensation.hold(&event);
+        }
+        self.ordinal = event.n;
+        sink.event(&event);
     }
 }
 

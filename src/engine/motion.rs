@@ -50,9 +50,16 @@ pub struct Element {
 
 /// A turn of the C axis: its travel and the machine coordinate it leads to.
 #[derive(Clone, Copy)]
-struct Turn {
-    travel: i64,
-    machine: i64,
+pub struct Turn {
+    pub travel: i64,
+    pub machine: i64,
+}
+
+impl Element {
+    /// Whether it moves X or Z, even if to where they are.
+    pub fn moves_plane(&self) -> bool {
+        self.x.is_some() || self.z.is_some()
+    }
 }
 
 impl Interpreter<'_> {
@@ -100,9 +107,22 @@ impl Interpreter<'_> {
         }
     }
 
+    /// The feed of an element, if it cuts.
+    #[inline]
+    pub(super) fn feed_of(&self, kind: Kind) -> Result<Option<Feed>, Fault> {
+        match kind {
+            Kind::Rapid => Ok(None),
+            Kind::LinearAt(feed) => Ok(Some(feed)),
+            Kind::Linear | Kind::Arc { .. } => self.feed().map(Some),
+        }
+    }
+
     /// Carries out one element.
     #[inline(always)]
     pub(super) fn perform(&mut self, element: Element, sink: &mut impl Sink) -> Result<(), Fault> {
+        if self.compensation.acts() {
+            return self.perform_compensated(element, sink);
+        }
         let Element { kind, x, z, w, c, mut cites, mut readings, limited } = element;
         if !limited {
             for target in [x, z, w].into_iter().flatten() {
@@ -113,11 +133,7 @@ impl Interpreter<'_> {
             Some((target, turns)) => Some(self.turn(target, turns)?),
             None => None,
         };
-        let feed = match kind {
-            Kind::Rapid => None,
-            Kind::LinearAt(feed) => Some(feed),
-            Kind::Linear | Kind::Arc { .. } => Some(self.feed()?),
-        };
+        let feed = self.feed_of(kind)?;
         let start = self.state.machine;
         let mut end = start;
         let is_arc = matches!(kind, Kind::Arc { .. });
@@ -142,37 +158,16 @@ impl Interpreter<'_> {
             machine: self.position(end[X], end[Z], |axis| end[axis]),
             c_travel: turn.map(|turn| Angle(turn.travel)),
             speed: None,
+            tip: None,
+            nose: None,
         };
         if self.state.constant_speed {
             let from = start[X] - self.state.frame(X);
-            let choice = self.spindle_speed(if planted::is(Bug::SpeedAtStart) { from } else { program_x });
-            motion.speed = Some(Speed(choice.value));
-            cites = cites.and(if feed.is_none() { cite::CSS_05 } else { cite::CSS_01 });
-            match choice.limit {
-                Some(SpeedLimit::Clamp) => {
-                    cites = cites.and(cite::SMAX_01);
-                    readings = readings.union(self.known.clamp);
-                }
-                Some(_) => cites = cites.and(cite::CSS_04),
-                None => {}
-            }
+            let diameter = if planted::is(Bug::SpeedAtStart) { from } else { program_x };
+            motion.speed = self.motion_speed(diameter, feed.is_some(), &mut cites, &mut readings);
         }
-        let action = match (kind, feed) {
-            (Kind::Arc { sense, centre_x, centre_z }, Some(feed)) => {
-                Action::Arc { motion, feed, sense, centre_x: Length(centre_x), centre_z: Length(centre_z) }
-            }
-            (_, Some(feed)) => {
-                let path = self.path(&start, &end, turn.map(|turn| turn.travel));
-                if turn.is_some() {
-                    cites = cites.and(cite::CFEED_01).and(cite::CFEED_03);
-                } else {
-                    cites = cites.and(cite::G01_04);
-                    readings = readings.union(self.known.feed_length);
-                }
-                Action::Linear { motion, feed, path: Length(path) }
-            }
-            (_, None) => Action::Rapid { motion },
-        };
+        let way = (&start, &end, turn.map(|turn| turn.travel));
+        let action = self.action((kind, feed), motion, way, &mut cites, &mut readings);
         if self.inch_block {
             readings = readings.union(self.known.inch);
         }
@@ -181,9 +176,61 @@ impl Interpreter<'_> {
         Ok(())
     }
 
+    /// The speed of the main spindle at the end of a motion, in constant cutting speed.
+    pub(super) fn motion_speed(
+        &mut self,
+        diameter: i64,
+        cuts: bool,
+        cites: &mut Cites,
+        readings: &mut ReadingSet,
+    ) -> Option<Speed> {
+        if !self.state.constant_speed {
+            return None;
+        }
+        let choice = self.spindle_speed(diameter);
+        *cites = cites.and(if cuts { cite::CSS_01 } else { cite::CSS_05 });
+        match choice.limit {
+            Some(SpeedLimit::Clamp) => {
+                *cites = cites.and(cite::SMAX_01);
+                *readings = readings.union(self.known.clamp);
+            }
+            Some(_) => *cites = cites.and(cite::CSS_04),
+            None => {}
+        }
+        Some(Speed(choice.value))
+    }
+
+    /// What an event says of a motion between two machine positions, with the travel of C.
+    #[inline(always)]
+    pub(super) fn action(
+        &self,
+        (kind, feed): (Kind, Option<Feed>),
+        motion: Motion,
+        (start, end, turn): (&Amounts, &Amounts, Option<i64>),
+        cites: &mut Cites,
+        readings: &mut ReadingSet,
+    ) -> Action {
+        match (kind, feed) {
+            (Kind::Arc { sense, centre_x, centre_z }, Some(feed)) => {
+                Action::Arc { motion, feed, sense, centre_x: Length(centre_x), centre_z: Length(centre_z) }
+            }
+            (_, Some(feed)) => {
+                let path = self.path(start, end, turn);
+                if turn.is_some() {
+                    *cites = cites.and(cite::CFEED_01).and(cite::CFEED_03);
+                } else {
+                    *cites = cites.and(cite::G01_04);
+                    *readings = readings.union(self.known.feed_length);
+                }
+                Action::Linear { motion, feed, path: Length(path) }
+            }
+            (_, None) => Action::Rapid { motion },
+        }
+    }
+
     /// A position, with C and W where they belong to it.
     #[inline]
-    fn position(&self, x: i64, z: i64, other: impl Fn(usize) -> i64) -> Position {
+    pub(super) fn position(&self, x: i64, z: i64, other: impl Fn(usize) -> i64) -> Position {
         Position {
             x: Length(x),
             z: Length(z),
@@ -194,7 +241,7 @@ impl Interpreter<'_> {
 
     /// Applies the limits of an axis to a machine coordinate; true when it was replaced.
     #[inline]
-    fn limit(&self, axis: usize, machine: &mut i64, is_arc: bool) -> Result<bool, Fault> {
+    pub(super) fn limit(&self, axis: usize, machine: &mut i64, is_arc: bool) -> Result<bool, Fault> {
         match limited(*machine, self.state.negative_limits[axis], self.state.positive_limits[axis]) {
             Limited::Within if planted::is(Bug::LimitInclusive) => {
                 Ok(self.state.positive_limits[axis] == Some(*machine))
@@ -210,7 +257,7 @@ impl Interpreter<'_> {
     }
 
     /// The turn of the C axis to a program coordinate, with so many full turns more (E100L-CAX-05, -06).
-    fn turn(&self, target: Option<i64>, turns: i64) -> Result<Turn, Fault> {
+    pub(super) fn turn(&self, target: Option<i64>, turns: i64) -> Result<Turn, Fault> {
         if !self.state.c_joined {
             return Fault::raise(AlarmName::CAxisNotJoined, rules::CAX_02);
         }

@@ -42,7 +42,7 @@ pub struct Base {
 /// The whole state; every amount is exact.
 #[derive(Clone, Debug)]
 pub struct State {
-    /// Machine position; C in [0, 360).
+    /// Machine position of the programmed point; C in [0, 360).
     pub machine: Amounts,
     pub zero_offset: Amounts,
     pub zero_shift: Amounts,
@@ -63,6 +63,10 @@ pub struct State {
     pub per_minute: bool,
     pub constant_speed: bool,
     pub droop_control: bool,
+    /// G17, G18 or G119.
+    pub plane: u16,
+    /// G40, G41 or G42.
+    pub compensation: u16,
 
     pub feed: Option<StoredFeed>,
     /// S of G97 in thousandths of a revolution per minute.
@@ -79,6 +83,8 @@ pub struct State {
 
     pub tool: u8,
     pub offset: u8,
+    /// Nose radius number.
+    pub nose: u8,
 
     pub c_joined: bool,
     pub c_clamped: bool,
@@ -155,6 +161,8 @@ impl State {
             per_minute: false,
             constant_speed: false,
             droop_control: false,
+            plane: 18,
+            compensation: 40,
             feed: None,
             speed: 0,
             surface: CuttingSpeed(0),
@@ -166,6 +174,7 @@ impl State {
             tool_gear: 0,
             tool: 0,
             offset: 0,
+            nose: 0,
             c_joined: false,
             c_clamped: false,
             c_negative: false,

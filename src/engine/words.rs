@@ -3,7 +3,7 @@
 
 use turnspec_oracle::vocabulary::{Label, Place};
 
-use super::codes::GGroup;
+use super::codes::{GGroup, g_group};
 use super::number::Number;
 use super::planted::{self, Bug};
 use super::system::SystemVariable;
@@ -318,6 +318,15 @@ impl Words {
     /// The G codes in written order.
     pub fn g_codes(&self) -> &[u16] {
         self.g.get(..usize::from(self.g_count)).unwrap_or_default()
+    }
+
+    /// The G code of a group, if the block has one.
+    #[inline]
+    pub fn code_of(&self, group: GGroup) -> Option<u16> {
+        if self.g_groups & (1 << group as u16) == 0 {
+            return None;
+        }
+        self.g_codes().iter().copied().find(|code| g_group(*code) == Some(group))
     }
 
     /// Whether the block has a G code.

@@ -44,8 +44,16 @@ pub fn before_motion(plan: &Plan, state: &mut State, emissions: &mut Vec<Emissio
         let in_force = state.is_active(124) && *code != 124;
         emissions.push(miscellaneous::command(*code, plan, state)?);
         check_time(&Timed::M, in_force, state)?;
+        if *code == 109 {
+            emissions.extend(turning_plane(state));
+        }
     }
     Ok(())
+}
+
+/// Whether the program ends with the block.
+pub fn ends_program(plan: &Plan) -> bool {
+    plan.words.m.contains(&2) || plan.words.m.contains(&30)
 }
 
 /// M00, M01, M02 and M30 act after the motion.
@@ -62,6 +70,8 @@ fn select(code: u16, state: &mut State) -> Option<Emission> {
     }
     state.modes.set(group, code);
     let rule: RuleId = match code {
+        17 | 18 | 119 => CRC_01,
+        40..=42 => NRC_01,
         0 => G00_01,
         1 => G01_01,
         2 | 3 => CIRC_01,
@@ -75,7 +85,17 @@ fn select(code: u16, state: &mut State) -> Option<Emission> {
         97 => CSS_02,
         _ => GCODE_02,
     };
-    Some(Emission::new(mode(group, code, previous), RuleSet::of(&[GCODE_02, rule])))
+    // E100L-NRC-61: from one side to the other without G40 between.
+    let other_side = group == GGroup::Compensation && previous != 40 && code != 40;
+    let event = Emission::new(mode(group, code, previous), RuleSet::of(&[GCODE_02, rule]));
+    Some(event.rule_if(other_side, NRC_61))
+}
+
+/// E100L-CRC-03: M109 selects G18.
+fn turning_plane(state: &mut State) -> Option<Emission> {
+    let previous = state.modes.get(GGroup::Plane);
+    state.modes.set(GGroup::Plane, 18);
+    (previous != 18).then(|| Emission::new(mode(GGroup::Plane, 18, previous), RuleSet::of(&[CRC_03])))
 }
 
 /// E100L-INCH-02: a frame event of a block with a length in inches depends on the conversion.

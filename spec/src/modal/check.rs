@@ -1,5 +1,6 @@
 //! What a block as a whole must satisfy before anything of it is carried out.
 
+use super::compensation;
 use super::words::Words;
 use crate::controls::e100l::g_codes::{GCode, GGroup, g_code};
 use crate::fault::{Fault, Outcome, fail};
@@ -17,8 +18,21 @@ pub struct Plan {
     pub modes: Modes,
     /// Its one-shot G code.
     pub one_shot: Option<u16>,
+    /// What it does to radius compensation.
+    pub compensation: Change,
     /// Whether it moves axes.
     pub moves: bool,
+}
+
+/// What a block does to radius compensation (E100L-NRC-14, E100L-NRC-66).
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Change {
+    /// Its own words select G41 or G42 where G40 was in force.
+    Begins,
+    /// Its own words select G40 where G41 or G42 was in force.
+    Ends,
+    /// Neither.
+    Stays,
 }
 
 impl Plan {
@@ -38,11 +52,22 @@ impl Plan {
     }
 }
 
-/// Checks the words of a block. `modes` are those before it; `after_angle`: the block before it had an angle
-/// alone.
-pub fn check(words: Words, modes: Modes, after_angle: bool, state: &State) -> Outcome<Plan> {
+/// What the blocks before a block leave behind.
+#[derive(Clone, Copy, Debug)]
+pub struct Before {
+    /// The modes.
+    pub modes: Modes,
+    /// Whether the block before had an angle alone.
+    pub after_angle: bool,
+    /// Whether a displacement of radius compensation is left over (E100L-NRC-71).
+    pub left_over: bool,
+}
+
+/// Checks the words of a block.
+pub fn check(words: Words, before: Before, state: &State) -> Outcome<Plan> {
     let setup = state.setup;
-    let modes = select(&words, modes);
+    let modes = select(&words, before.modes);
+    let compensation = change(before.modes, modes);
     let motion = modes.get(GGroup::Motion);
     let one_shot = words.one_shot();
     stands_alone(&words)?;
@@ -62,17 +87,27 @@ pub fn check(words: Words, modes: Modes, after_angle: bool, state: &State) -> Ou
         Some(50) => zero_shift(&words, setup)?,
         Some(code @ (75 | 76)) => {
             chamfer(code, &words, motion, setup)?;
-            path(&words, motion, after_angle, setup)?;
+            path(&words, motion, before.after_angle, setup)?;
             moves = true;
         }
         None if is_motion(&words, motion) => {
-            path(&words, motion, after_angle, setup)?;
+            path(&words, motion, before.after_angle, setup)?;
             moves = true;
         }
         Some(_) | None => {}
     }
-    every_word_has_a_function(&words, one_shot, motion)?;
-    Ok(Plan { words, modes, one_shot, moves })
+    every_word_has_a_function(&words, one_shot, motion, compensation)?;
+    let plan = Plan { words, modes, one_shot, compensation, moves };
+    compensation::check(&plan, before, state.c_joined())?;
+    Ok(plan)
+}
+
+fn change(before: Modes, after: Modes) -> Change {
+    match (before.compensating(), after.compensating()) {
+        (false, true) => Change::Begins,
+        (true, false) => Change::Ends,
+        _ => Change::Stays,
+    }
 }
 
 /// The modes with the block's own G codes (E100L-GCODE-02).
@@ -232,13 +267,20 @@ fn arc(words: &Words) -> Outcome<()> {
 }
 
 /// E100L-ADDR-01: a word that no function of the block takes.
-fn every_word_has_a_function(words: &Words, one_shot: Option<u16>, motion: u16) -> Outcome<()> {
+fn every_word_has_a_function(
+    words: &Words,
+    one_shot: Option<u16>,
+    motion: u16,
+    compensation: Change,
+) -> Outcome<()> {
     let (letters, extended, calrg): (&[u8], &[&str], bool) = match (one_shot, motion) {
         (Some(4 | 28), _) => (b"", &[], false),
         (Some(22), _) => (b"ZWDL", &["PZ", "PW"], false),
         (Some(29), _) => (b"", &["PZ", "PW"], false),
         (Some(50), _) => (b"XZCW", &[], false),
         (Some(_), _) => (b"XZAL", &[], false),
+        // E100L-NRC-23, E100L-NRC-69: the imaginary point.
+        (None, 0 | 1) if compensation != Change::Stays => (b"XZCWAIK", &["QA"], false),
         (None, 0 | 1) => (b"XZCWA", &["QA"], false),
         (None, _) => (b"XZIKL", &[], true),
     };

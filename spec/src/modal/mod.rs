@@ -5,6 +5,7 @@
 
 mod carry_out;
 mod check;
+mod compensation;
 mod feed;
 mod miscellaneous;
 mod reset;
@@ -12,8 +13,8 @@ mod spindle;
 mod tool;
 mod words;
 
-pub use carry_out::{after_motion, before_motion};
-pub use check::{Plan, check};
+pub use carry_out::{after_motion, before_motion, ends_program};
+pub use check::{Before, Change, Plan, check};
 pub use feed::active_feed;
 pub use feed::dwell;
 pub use spindle::motion_speed;

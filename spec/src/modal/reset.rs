@@ -7,13 +7,15 @@ use crate::state::State;
 use crate::vocabulary::rule_ids::*;
 use crate::vocabulary::{Action, FrameCause, Label, RuleSet};
 
-/// The groups that a reset changes, and the rule that says so.
-const RESET: [(GGroup, RuleSet); 5] = [
+/// The groups that a reset changes, in its order, and the rules that say so.
+const RESET: [(GGroup, RuleSet); 7] = [
     (GGroup::Motion, RuleSet::of(&[MCODE_04])),
     (GGroup::Dimension, RuleSet::of(&[MCODE_04, ABS_01])),
     (GGroup::FeedUnit, RuleSet::of(&[MCODE_04, FEED_01])),
     (GGroup::CuttingSpeed, RuleSet::of(&[MCODE_04])),
     (GGroup::Droop, RuleSet::of(&[MCODE_04])),
+    (GGroup::Compensation, RuleSet::of(&[MCODE_04, NRC_01])),
+    (GGroup::Plane, RuleSet::of(&[MCODE_04, CRC_04])),
 ];
 
 /// Resets the modes and the zero shift; the events of what changes.

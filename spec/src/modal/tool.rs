@@ -16,6 +16,8 @@ pub fn command(number: i64, moves: bool, state: &mut State) -> (Emission, Option
         state.tool = tool;
     }
     state.frame.offset_number = offset;
+    // E100L-NRC-04, E100L-NRC-10: a short T word names nose radius 00.
+    state.nose = nose;
     let event = Emission::new(Action::Tool { tool, offset, nose, index }, RuleSet::of(&[TOOL_02]))
         .rule_if(moves, TOOL_04)
         .rule_if(number < 100, TOOL_05)

@@ -1,9 +1,8 @@
 //! G02 and G03 (E100L-CIRC-01 to -20).
 
-use super::element::{Axes, Beyond, check_range, coordinate_readings, coordinate_rules, go, with_speed};
+use super::element::{Axes, Element, Shape};
 use super::plane::{Point, Vector, latch};
 use super::target::Origin;
-use crate::emission::Emission;
 use crate::fault::{Fault, Outcome, fail};
 use crate::frame::Amounts;
 use crate::modal::Plan;
@@ -11,7 +10,7 @@ use crate::quantity::{Exact, narrow, ratio, whole};
 use crate::real::{self, Interval};
 use crate::state::State;
 use crate::vocabulary::rule_ids::*;
-use crate::vocabulary::{Action, AlarmName, ArcOneCoordinate, Length, ReadingSet, RuleSet, Sense};
+use crate::vocabulary::{AlarmName, ArcOneCoordinate, Length, ReadingSet, RuleSet, Sense};
 
 /// An arc before it is carried out: end and centre (X as a diameter, Z).
 struct Arc {
@@ -21,39 +20,22 @@ struct Arc {
     readings: ReadingSet,
 }
 
-/// Moves along a circle.
-pub fn arc(plan: &Plan, state: &mut State, emissions: &mut Vec<Emission>) -> Outcome<()> {
+/// The motion along a circle; it ends at its target or not at all (E100L-LIM-01).
+pub fn arc(plan: &Plan, state: &State) -> Outcome<Element> {
     let origin = Origin::present(state);
     let sense = if plan.motion() == 2 { Sense::Clockwise } else { Sense::CounterClockwise };
     let arc = match plan.words.get('L') {
         Some(radius) => by_radius(plan, origin, radius, sense)?,
         None => by_centre(plan, origin, sense, state)?,
     };
-    let axes = Axes::PLANE;
-    let given = RuleSet::of(&[CIRC_02, CIRC_09, CIRC_10]).union(arc.rules);
-    let event = element(arc.end, arc.centre, sense, axes, plan, given, state)?;
-    emissions.push(event.readings(arc.readings));
-    Ok(())
-}
-
-/// An arc as an element of the path; it ends at its target or not at all (E100L-LIM-01).
-pub fn element(
-    end: Point,
-    centre: Point,
-    sense: Sense,
-    axes: Axes,
-    plan: &Plan,
-    rules: RuleSet,
-    state: &mut State,
-) -> Outcome<Emission> {
-    let target = Amounts { x: end.0, z: end.1, ..Amounts::default() };
-    check_range(target, axes, state.setup)?;
-    let (feed, feed_rules) = crate::modal::active_feed(state)?;
-    let (motion, _) = go(target, axes, Beyond::Refused, state)?;
-    state.cut_last = true;
-    let action = Action::Arc { motion, feed, sense, centre_x: Length(centre.0), centre_z: Length(centre.1) };
-    let event = Emission::new(action, coordinate_rules(plan).union(feed_rules).union(rules));
-    Ok(with_speed(event.readings(coordinate_readings(plan, state.setup)), false, state))
+    let rules = RuleSet::of(&[CIRC_02, CIRC_09, CIRC_10]).union(arc.rules);
+    Ok(Element {
+        target: Amounts { x: arc.end.0, z: arc.end.1, ..Amounts::default() },
+        axes: Axes::PLANE,
+        shape: Shape::Arc { centre: arc.centre, sense },
+        rules,
+        readings: arc.readings,
+    })
 }
 
 fn coordinates(plan: &Plan, origin: Origin) -> (Option<i64>, Option<i64>) {

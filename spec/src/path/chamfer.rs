@@ -2,11 +2,9 @@
 //!
 //! A start, C programmed corner, B and D start and end of the chamfer, E end of the next line.
 
-use super::arc;
-use super::element::{Axes, Beyond, LINEAR, check_range, line};
+use super::element::{Axes, Element, LINEAR, Shape, check_range};
 use super::plane::{Point, Vector, latch};
 use super::target::{Ahead, Origin, angle_end, line_end, next_block, origin};
-use crate::emission::Emission;
 use crate::fault::{Outcome, fail};
 use crate::frame::Amounts;
 use crate::modal::Plan;
@@ -34,13 +32,8 @@ enum Join {
     Rounding { centre: Point, sense: Sense },
 }
 
-/// Moves to the corner of a block and breaks it.
-pub fn chamfer(
-    plan: &Plan,
-    ahead: &[Ahead],
-    state: &mut State,
-    emissions: &mut Vec<Emission>,
-) -> Outcome<()> {
+/// The motions to the corner of a block and across it.
+pub fn chamfer(plan: &Plan, ahead: &[Ahead], state: &mut State) -> Outcome<Vec<Element>> {
     let (origin, base_rules, base_readings) = origin(plan, state);
     let basic = state.setup.parameters.chamfering == Chamfering::Basic;
     let end = line_end(plan, origin, state.angle_target.take(), ahead)?;
@@ -50,33 +43,40 @@ pub fn chamfer(
     } else {
         any_angle_corner(plan, origin, corner_point, ahead, state)?
     };
-    let amounts = |point: Point| Amounts { x: point.0, z: point.1, ..Amounts::default() };
     check_range(amounts(corner_point), corner.axes, state.setup)?;
-    let rules = RuleSet::of(&[CHAM_12, corner.rule]).union(end.rules).union(base_rules);
-    let readings = end.readings.union(base_readings).union(corner.readings);
-    if let Some(point) = corner.line_to {
-        let event = line(amounts(point), corner.axes, Beyond::Replaced, rules.union(LINEAR), plan, state)?;
-        emissions.push(event.readings(readings));
-    }
-    if let Some((join, point)) = corner.join {
-        let event = match join {
-            Join::Face => {
-                line(amounts(point), Axes::PLANE, Beyond::Replaced, rules.union(LINEAR), plan, state)?
-            }
-            Join::Rounding { centre, sense } => {
-                let rules = rules.union(RuleSet::of(&[CIRC_02, CIRC_09]));
-                arc::element(point, centre, sense, Axes::PLANE, plan, rules, state)?
-            }
-        };
-        emissions.push(event.readings(readings));
-    }
     state.base = Some(Base { corner: corner_point, whole: !basic });
     if plan.is_angle_only()
         && let Some(Ahead { plan: next, .. }) = ahead.first()
     {
         state.angle_target = Some(angle_end(next, origin.incremental));
     }
-    Ok(())
+    let rules = RuleSet::of(&[CHAM_12, corner.rule]).union(end.rules).union(base_rules);
+    let readings = end.readings.union(base_readings).union(corner.readings);
+    Ok(elements(&corner, rules, readings))
+}
+
+fn amounts(point: Point) -> Amounts {
+    Amounts { x: point.0, z: point.1, ..Amounts::default() }
+}
+
+fn elements(corner: &Corner, rules: RuleSet, readings: ReadingSet) -> Vec<Element> {
+    let line = |point, axes| Element {
+        target: amounts(point),
+        axes,
+        shape: Shape::Line,
+        rules: rules.union(LINEAR),
+        readings,
+    };
+    let before = corner.line_to.map(|point| line(point, corner.axes));
+    let join = corner.join.as_ref().map(|(join, point)| match *join {
+        Join::Face => line(*point, Axes::PLANE),
+        Join::Rounding { centre, sense } => Element {
+            shape: Shape::Arc { centre, sense },
+            rules: rules.union(RuleSet::of(&[CIRC_02, CIRC_09])),
+            ..line(*point, Axes::PLANE)
+        },
+    });
+    before.into_iter().chain(join).collect()
 }
 
 /// The basic form (E100L-CHAM-03, E100L-CHAM-04, E100L-CHAM-11): along one axis, then along the other in the

@@ -1,15 +1,18 @@
 //! Elements of the path: what every motion has in common.
 
+use super::plane::Point;
 use crate::controls::e100l::units;
 use crate::emission::Emission;
 use crate::fault::{Outcome, fail};
 use crate::frame::{Amounts, position};
-use crate::modal::{Plan, motion_speed};
+use crate::modal::{Plan, active_feed, motion_speed};
 use crate::quantity::{ratio, whole};
 use crate::real::{self, Interval};
 use crate::state::State;
 use crate::vocabulary::rule_ids::*;
-use crate::vocabulary::{Action, AlarmName, Angle, FeedLength, Length, Motion, ReadingSet, RuleSet, Setup};
+use crate::vocabulary::{
+    Action, AlarmName, Angle, Feed, FeedLength, Length, Motion, ReadingSet, RuleSet, Sense, Setup,
+};
 
 /// The axes that a motion commands.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
@@ -29,15 +32,74 @@ impl Axes {
     pub const PLANE: Self = Self { x: true, z: true, w: false, c: None };
 }
 
-/// What happens to a target beyond its range or a travel limit.
+/// A motion of a block before it is carried out.
+#[derive(Clone, Debug)]
+pub struct Element {
+    /// Where it goes, in program coordinates.
+    pub target: Amounts,
+    /// The axes that it commands.
+    pub axes: Axes,
+    /// Which way.
+    pub shape: Shape,
+    /// The rules that led there.
+    pub rules: RuleSet,
+    /// The readings that it depends on.
+    pub readings: ReadingSet,
+}
+
+/// Which way a motion goes.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Beyond {
-    /// The positive limit replaces it (E100L-LIM-01).
-    Replaced,
-    /// It alarms.
-    Refused,
-    /// It was tested before.
-    Allowed,
+pub enum Shape {
+    /// Each axis on its own.
+    Rapid,
+    /// Straight, at a feed.
+    Line,
+    /// Round a centre, at a feed.
+    Arc {
+        /// X (as a diameter) and Z, in program coordinates.
+        centre: Point,
+        /// The way round.
+        sense: Sense,
+    },
+}
+
+impl Element {
+    /// Whether it has or computes X or Z.
+    pub fn in_plane(&self) -> bool {
+        self.axes.x || self.axes.z
+    }
+
+    /// E100L-ADDR-01: its target.
+    pub fn check_range(&self, setup: &Setup) -> Outcome<()> {
+        check_range(self.target, self.axes, setup)
+    }
+
+    /// The feed of a cutting motion.
+    pub fn feed(&self, state: &State) -> Outcome<Option<(Feed, RuleSet)>> {
+        if self.shape == Shape::Rapid { Ok(None) } else { active_feed(state).map(Some) }
+    }
+}
+
+/// What the axes of the turning plane do in a motion.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Way {
+    /// Where they start: X (as a diameter) and Z in machine coordinates.
+    pub from: Point,
+    /// Which limits are tested.
+    pub limits: Tested,
+}
+
+/// The travel limits that a motion is tested against.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Tested {
+    /// Those of the axes that it commands.
+    Commanded,
+    /// X and Z, whichever it commands: what leads out of compensation (E100L-NRC-66, E100L-NRC-71).
+    Plane,
+    /// All but X and Z, which the tip is tested against (E100L-NRC-80).
+    OutsidePlane,
+    /// None: they were tested before.
+    Nothing,
 }
 
 /// E100L-ADDR-01: a target that no coordinate word could name, on the axes that go there.
@@ -72,42 +134,53 @@ pub fn coordinate_readings(plan: &Plan, setup: &Setup) -> ReadingSet {
     }
 }
 
-/// Moves the machine to a program position and describes the motion; the second result tells whether a limit
-/// replaced a coordinate.
-pub fn go(target: Amounts, axes: Axes, beyond: Beyond, state: &mut State) -> Outcome<(Motion, bool)> {
-    let wanted = state.frame.to_machine(target);
+/// Moves the machine to a program position; the result tells whether a limit replaced a coordinate.
+fn go(element: &Element, tested: Tested, state: &mut State) -> Outcome<bool> {
+    let axes = element.axes;
+    let wanted = state.frame.to_machine(element.target);
     let mut machine = state.frame.machine;
     let mut replaced = false;
     let limits = state.limits;
+    let plane = |moves| match tested {
+        Tested::Commanded => moves,
+        Tested::Plane => true,
+        Tested::OutsidePlane | Tested::Nothing => false,
+    };
     let commanded = [
-        (axes.x, &limits.x, wanted.x, &mut machine.x),
-        (axes.z, &limits.z, wanted.z, &mut machine.z),
-        (axes.w, &limits.w, wanted.w, &mut machine.w),
+        (axes.x, plane(axes.x), &limits.x, wanted.x, &mut machine.x),
+        (axes.z, plane(axes.z), &limits.z, wanted.z, &mut machine.z),
+        (axes.w, axes.w && tested != Tested::Nothing, &limits.w, wanted.w, &mut machine.w),
     ];
-    for (moves, limit, wanted, place) in commanded {
-        if moves {
-            let (allowed, exceeds) = match beyond {
-                Beyond::Replaced => limit.clamp(wanted)?,
-                Beyond::Refused => (limit.check(wanted).map(|()| wanted)?, false),
-                Beyond::Allowed => (wanted, false),
-            };
-            *place = allowed;
-            replaced |= exceeds;
-        }
+    for (moves, tested, limit, wanted, place) in commanded {
+        let target = if moves { wanted } else { *place };
+        *place = match element.shape {
+            _ if !tested => target,
+            Shape::Arc { .. } => limit.check(target).map(|()| target)?,
+            Shape::Rapid | Shape::Line => {
+                let (allowed, exceeds) = limit.clamp(target)?;
+                replaced |= exceeds;
+                allowed
+            }
+        };
     }
     if axes.c.is_some() {
         machine.c = wanted.c;
     }
     state.frame.machine = machine;
-    let program = state.frame.program();
+    Ok(replaced)
+}
+
+/// The present position as the end of a motion.
+pub fn standing(c_travel: Option<i64>, state: &State) -> Motion {
     let (c_joined, w_axis) = (state.c_joined(), state.setup.options.w_axis);
-    let motion = Motion {
-        program: position(program, c_joined, w_axis),
-        machine: position(machine, c_joined, w_axis),
-        c_travel: axes.c.map(Angle),
+    Motion {
+        program: position(state.frame.program(), c_joined, w_axis),
+        machine: position(state.frame.machine, c_joined, w_axis),
+        c_travel: c_travel.map(Angle),
+        tip: None,
+        nose: None,
         speed: None,
-    };
-    Ok((motion, replaced))
+    }
 }
 
 /// E100L-CSS-01, E100L-CSS-05: the motion event with the spindle speed at its end.
@@ -155,27 +228,41 @@ pub fn feed_path(
 /// E100L-G01-01, E100L-G01-02: what a line of G01 cites.
 pub const LINEAR: RuleSet = RuleSet::of(&[G01_01, G01_02]);
 
-/// A line at a feed to a program position, for these rules.
-pub fn line(
-    target: Amounts,
-    axes: Axes,
-    beyond: Beyond,
-    rules: RuleSet,
-    plan: &Plan,
-    state: &mut State,
-) -> Outcome<Emission> {
-    if beyond != Beyond::Allowed {
-        check_range(target, axes, state.setup)?;
+/// Carries a motion out. A block without the word of an axis has none that counts as its last (E100L-TUNC-02).
+pub fn carry_out(element: &Element, way: Way, plan: &Plan, state: &mut State) -> Outcome<Emission> {
+    if way.limits != Tested::Nothing {
+        element.check_range(state.setup)?;
     }
-    let (feed, feed_rules) = crate::modal::active_feed(state)?;
-    let from = state.frame.machine;
-    let (motion, replaced) = go(target, axes, beyond, state)?;
-    let (path, path_rules, path_readings) = feed_path(from, state.frame.machine, axes.c, state.setup);
-    state.cut_last = true;
-    let rules = rules.union(feed_rules).union(coordinate_rules(plan)).union(path_rules);
-    let event = Emission::new(Action::Linear { motion, feed, path }, rules)
-        .readings(path_readings)
-        .readings(coordinate_readings(plan, state.setup))
-        .rule_if(replaced, LIM_01);
-    Ok(with_speed(event, false, state))
+    let feed = element.feed(state)?;
+    let before = state.frame.machine;
+    let replaced = go(element, way.limits, state)?;
+    if plan.moves {
+        state.cut_last = feed.is_some();
+    }
+    let motion = standing(element.axes.c, state);
+    let rules = element.rules.union(coordinate_rules(plan));
+    let readings = element.readings.union(coordinate_readings(plan, state.setup));
+    let from = Amounts { x: way.from.0, z: way.from.1, ..before };
+    let event = event(element.shape, motion, feed, from, rules, state).readings(readings);
+    Ok(with_speed(event.rule_if(replaced, LIM_01), element.shape == Shape::Rapid, state))
+}
+
+/// The event of a motion from a machine position to the present one; without a feed it is rapid.
+pub fn event(
+    shape: Shape,
+    motion: Motion,
+    feed: Option<(Feed, RuleSet)>,
+    from: Amounts,
+    rules: RuleSet,
+    state: &State,
+) -> Emission {
+    let Some((feed, feed_rules)) = feed else { return Emission::new(Action::Rapid { motion }, rules) };
+    let rules = rules.union(feed_rules);
+    if let Shape::Arc { centre, sense } = shape {
+        let (centre_x, centre_z) = (Length(centre.0), Length(centre.1));
+        return Emission::new(Action::Arc { motion, feed, sense, centre_x, centre_z }, rules);
+    }
+    let c_travel = motion.c_travel.map(|travel| travel.0);
+    let (path, path_rules, readings) = feed_path(from, state.frame.machine, c_travel, state.setup);
+    Emission::new(Action::Linear { motion, feed, path }, rules.union(path_rules)).readings(readings)
 }

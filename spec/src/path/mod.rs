@@ -10,28 +10,29 @@ mod target;
 mod torque_skip;
 
 use chamfer::chamfer;
-pub use plane::Point;
+pub use element::{
+    Axes, Element, LINEAR, Shape, Tested, Way, carry_out, event, feed_path, standing, with_speed,
+};
+pub use plane::{Point, Vector};
 use straight::straight;
 pub use target::{Ahead, next_block};
-use torque_skip::torque_skip;
+pub use torque_skip::torque_skip;
 
-use crate::emission::Emission;
 use crate::fault::Outcome;
 use crate::modal::Plan;
 use crate::state::State;
 
-/// Carries out the motion of a block that has one. `ahead` are the blocks that look-ahead has read.
+/// The motions of a block that has one, but for a torque skip. `ahead` are the blocks that look-ahead has read.
 ///
 /// A corner that a chamfer block leaves behind (E100L-CHAM-13) is forgotten after the next motion of X or Z.
-pub fn motion(plan: &Plan, ahead: &[Ahead], state: &mut State, emissions: &mut Vec<Emission>) -> Outcome<()> {
-    match (plan.one_shot, plan.motion()) {
-        (Some(75 | 76), _) => return chamfer(plan, ahead, state, emissions),
-        (Some(_), _) => torque_skip(plan, state, emissions)?,
-        (None, 0 | 1) => straight(plan, ahead, state, emissions)?,
-        (None, _) => arc::arc(plan, state, emissions)?,
+pub fn elements(plan: &Plan, ahead: &[Ahead], state: &mut State) -> Outcome<Vec<Element>> {
+    if plan.is_chamfer() {
+        return chamfer(plan, ahead, state);
     }
+    let elements =
+        if plan.motion() <= 1 { straight(plan, ahead, state)? } else { vec![arc::arc(plan, state)?] };
     if plan.words.has_any("XZA") {
         state.base = None;
     }
-    Ok(())
+    Ok(elements)
 }

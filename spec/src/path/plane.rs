@@ -51,6 +51,11 @@ impl Vector {
         Self { z: -self.x.clone(), x: self.z.clone() }
     }
 
+    /// The vector times a number.
+    pub fn times(&self, factor: &Exact) -> Self {
+        Self { z: &self.z * factor, x: &self.x * factor }
+    }
+
     /// Whether it is no vector.
     pub fn is_zero(&self) -> bool {
         self.z.is_zero() && self.x.is_zero()

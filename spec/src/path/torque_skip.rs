@@ -1,6 +1,6 @@
 //! G22 (E100L-TRQ-03 to -07): feed toward a stop until the torque reaches its preset value.
 
-use super::element::{Axes, Beyond, check_range, line};
+use super::element::{Axes, Element, Shape, Tested, Way as Travel, carry_out, check_range};
 use crate::emission::Emission;
 use crate::fault::{Fault, Outcome, fail};
 use crate::frame::Amounts;
@@ -8,7 +8,7 @@ use crate::modal::{Plan, active_feed};
 use crate::quantity::{Exact, ratio, round_narrow, whole};
 use crate::state::State;
 use crate::vocabulary::rule_ids::*;
-use crate::vocabulary::{Action, AlarmName, FeedRate, RuleSet};
+use crate::vocabulary::{Action, AlarmName, FeedRate, ReadingSet, RuleSet};
 
 /// Largest feed: 2.5 m/min, in picometres.
 const LARGEST_FEED: i64 = 2_500_000_000_000;
@@ -39,6 +39,10 @@ pub fn torque_skip(plan: &Plan, state: &mut State, emissions: &mut Vec<Emission>
     let way = way(plan, state)?;
     let unwatched = unwatched_distance(plan, state)?;
     let limit = if way.on_w { state.limits.w } else { state.limits.z };
+    if !way.on_w {
+        // A corner of before (E100L-CHAM-13) is left behind.
+        state.base = None;
+    }
     for place in [way.goal, way.approach, way.end] {
         limit.check(place)?;
     }
@@ -122,7 +126,10 @@ fn feed_to(
     *(if way.on_w { &mut machine.w } else { &mut machine.z }) = place;
     let rules = RuleSet::of(&[TRQ_03, TRQ_04]);
     let target = state.frame.to_program(machine);
-    let mut event = line(target, axes(way.on_w), Beyond::Allowed, rules, plan, state)?;
+    let element =
+        Element { target, axes: axes(way.on_w), shape: Shape::Line, rules, readings: ReadingSet::default() };
+    let from = (state.frame.machine.x, state.frame.machine.z);
+    let mut event = carry_out(&element, Travel { from, limits: Tested::Nothing }, plan, state)?;
     if let (true, Action::Linear { feed, .. }) = (slow, &mut event.action) {
         feed.value = FeedRate(round_narrow(&ratio(feed.value.0, 5)));
     }

@@ -20,16 +20,21 @@ const PRECISIONS: [usize; 4] = [96, 192, 384, 1024];
 
 /// The whole number nearest to a real one, a tie away from zero.
 pub fn nearest_whole(number: impl Fn(usize) -> Interval) -> IBig {
-    let mut candidates = (IBig::ZERO, IBig::ZERO);
+    let [nearest] = nearest_wholes(|precision| [number(precision)]);
+    nearest
+}
+
+/// The whole numbers nearest to real ones that are computed together, a tie away from zero.
+pub fn nearest_wholes<const COUNT: usize>(numbers: impl Fn(usize) -> [Interval; COUNT]) -> [IBig; COUNT] {
+    let mut candidates = [const { (IBig::ZERO, IBig::ZERO) }; COUNT];
     for precision in PRECISIONS {
-        let interval = number(precision);
-        candidates = (quantity::round(&interval.low()), quantity::round(&interval.high()));
-        if candidates.0 == candidates.1 {
-            return candidates.0;
+        let ends = |number: Interval| (quantity::round(&number.low()), quantity::round(&number.high()));
+        candidates = numbers(precision).map(ends);
+        if candidates.iter().all(|(low, high)| low == high) {
+            break;
         }
     }
-    let (low, high) = candidates;
-    if high > IBig::ZERO { high } else { low }
+    candidates.map(|(low, high)| if high > IBig::ZERO { high } else { low })
 }
 
 /// The binary64 number nearest to a real one, a tie to even. `extra` bits are added to the precision:

@@ -128,6 +128,13 @@ alarms! {
     ArcRadiusMismatch "arc_radius_mismatch" None, "arc end point not on the circle";
     ArcWithoutCentre "arc_without_centre" None, "arc without centre or radius";
     ArcNoEndPoint "arc_no_end_point" None, "arc does not meet the commanded coordinate";
+    CompensationNotLinear "compensation_not_linear" None, "radius compensation begun or ended outside G00 and G01";
+    CompensationStartUp "compensation_start_up" None, "no contour element after the start of radius compensation";
+    CompensationImaginaryPoint "compensation_imaginary_point" None, "I and K both zero";
+    CompensationNoIntersection "compensation_no_intersection" None, "no compensated point at a corner";
+    CompensationArcTooSmall "compensation_arc_too_small" None, "inside arc smaller than the nose radius";
+    CompensationNotAllowed "compensation_not_allowed" None, "command not allowed in radius compensation";
+    PlaneChangeInCompensation "plane_change_in_compensation" None, "plane selected in radius compensation";
     CoordinateRange "coordinate_range" None, "target coordinate out of range";
     CAxisNotJoined "c_axis_not_joined" None, "C command while the C axis is not joined";
     CAxisClamped "c_axis_clamped" None, "C command while the C axis is clamped";

@@ -170,12 +170,28 @@ pub struct Motion {
     pub program: Position,
     /// End point in machine coordinates.
     pub machine: Position,
+    /// The tool tip in program coordinates, in radius compensation.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub tip: Option<PlanePosition>,
+    /// The nose centre in program coordinates, in radius compensation.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub nose: Option<PlanePosition>,
     /// Travel of the C axis, signed, full turns included.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub c_travel: Option<Angle>,
     /// Speed of the main spindle at the end point, in constant cutting speed mode.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub speed: Option<Speed>,
+}
+
+/// A point of the plane of X and Z.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct PlanePosition {
+    /// X, as a diameter.
+    pub x: Length,
+    /// Z.
+    pub z: Length,
 }
 
 /// A position in one coordinate system.

@@ -70,6 +70,8 @@ features! {
     OptionalStop "optional-stop"
     /// Program names, headers and what else surrounds the blocks of a program.
     ProgramName "program-name"
+    /// Nose and cutter radius compensation, and its planes.
+    RadiusCompensation "radius-compensation"
     /// Positioning.
     Rapid "rapid"
     /// G76.

@@ -21,8 +21,8 @@ mod unit;
 
 pub use alarm::{Alarm, AlarmName};
 pub use event::{
-    Action, Ending, Event, Feed, FeedUnit, FrameCause, Motion, Position, Sense, Sink, SpeedLimit, Spindle,
-    SpindleName, SpindleState, Value,
+    Action, Ending, Event, Feed, FeedUnit, FrameCause, Motion, PlanePosition, Position, Sense, Sink,
+    SpeedLimit, Spindle, SpindleName, SpindleState, Value,
 };
 pub use feature::Feature;
 pub use label::Label;

@@ -132,8 +132,11 @@ impl Fields {
     }
 
     fn motion(&mut self, motion: &Motion) -> &mut Self {
-        let Motion { program, machine, c_travel, speed } = motion;
+        let Motion { program, machine, tip, nose, c_travel, speed } = motion;
         self.position(program, ["x", "z", "c", "w"]).position(machine, ["mx", "mz", "mc", "mw"]);
+        self.add_some("tx", tip.map(|tip| tip.x).as_ref()).add_some("tz", tip.map(|tip| tip.z).as_ref());
+        self.add_some("nx", nose.map(|nose| nose.x).as_ref())
+            .add_some("nz", nose.map(|nose| nose.z).as_ref());
         self.add_some("c_travel", c_travel.as_ref()).add_some("speed", speed.as_ref())
     }
 

@@ -68,7 +68,7 @@ pub struct RuleSet {
 
 impl RuleSet {
     /// The most rules that one event cites.
-    pub const CAPACITY: usize = 23;
+    pub const CAPACITY: usize = 31;
 
     /// No rule.
     pub const EMPTY: Self = Self { length: 0, ids: [RuleId(u16::MAX); Self::CAPACITY] };

@@ -1,5 +1,5 @@
 //! Points of the turning plane and the exact signs of their geometry (E100L-CIRC-08, E100L-CIRC-11,
-//! E100L-CIRC-16, E100L-CHAM-08, E100L-ANG-03).
+//! E100L-CIRC-16, E100L-CHAM-08, E100L-ANG-03, E100L-NRC-02, E100L-NRC-26).
 //!
 //! Points are latched coordinates of at most 2^56 in size: words reach 2^37, and lines meet no further than their
 //! smallest angle allows. Directions are in half nanometres, twice Z and the diameter X, at most 2^58 in size;
@@ -12,6 +12,22 @@ pub struct Point {
     pub x: i64,
     /// Z in nanometres.
     pub z: i64,
+}
+
+impl Point {
+    /// The point moved by another one.
+    #[inline]
+    #[must_use]
+    pub fn plus(self, by: Self) -> Self {
+        Self { x: self.x.saturating_add(by.x), z: self.z.saturating_add(by.z) }
+    }
+
+    /// The point moved back by another one.
+    #[inline]
+    #[must_use]
+    pub fn minus(self, by: Self) -> Self {
+        Self { x: self.x.saturating_sub(by.x), z: self.z.saturating_sub(by.z) }
+    }
 }
 
 /// A direction in half nanometres: along Z, and along X.
@@ -47,6 +63,22 @@ pub fn cross(first: Direction, second: Direction) -> i128 {
 #[must_use]
 pub fn dot(first: Direction, second: Direction) -> i128 {
     first.0 * second.0 + first.1 * second.1
+}
+
+/// A direction turned to the left by a right angle.
+#[inline]
+#[must_use]
+pub fn left((z, x): Direction) -> Direction {
+    (-x, z)
+}
+
+/// A direction of at most 2^60 in each component: what is beyond lies out of the range of every address, and the
+/// bound keeps products in range.
+#[inline]
+#[must_use]
+pub fn bounded((z, x): Direction) -> Direction {
+    const MOST: i128 = 1 << 60;
+    (z.clamp(-MOST, MOST), x.clamp(-MOST, MOST))
 }
 
 /// The signs, along Z and along X, of the quadrant in which an arc starts. The start lies at `from` the centre,

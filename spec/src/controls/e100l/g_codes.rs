@@ -5,9 +5,9 @@
 pub enum GGroup {
     /// G00 G01 G02 G03.
     Motion,
-    /// G18.
+    /// G17 G18 G119.
     Plane,
-    /// G40.
+    /// G40 G41 G42.
     Compensation,
     /// G90 G91.
     Dimension,
@@ -26,7 +26,7 @@ pub enum GGroup {
 }
 
 impl GGroup {
-    /// The modal groups, in the order in which a reset goes through them.
+    /// The modal groups.
     pub const MODAL: [Self; 9] = [
         Self::Motion,
         Self::Plane,
@@ -90,8 +90,8 @@ pub fn g_code(code: u16) -> GCode {
         0..=3 => GGroup::Motion,
         4 | 22 | 28 | 29 | 50 | 75 | 76 => GGroup::OneShot,
         13 => GGroup::Turret,
-        18 => GGroup::Plane,
-        40 => GGroup::Compensation,
+        17 | 18 | 119 => GGroup::Plane,
+        40..=42 => GGroup::Compensation,
         64 | 65 => GGroup::Droop,
         90 | 91 => GGroup::Dimension,
         94 | 95 => GGroup::FeedUnit,
@@ -100,20 +100,7 @@ pub fn g_code(code: u16) -> GCode {
         19 | 20 | 21 | 30 | 36 | 37 | 62 | 100 | 107 | 108 | 122 | 123 | 140..=143 | 152 | 191 => {
             return GCode::Unspecified;
         }
-        14
-        | 17
-        | 31..=35
-        | 41
-        | 42
-        | 71..=74
-        | 77
-        | 78
-        | 80..=88
-        | 101..=103
-        | 111..=113
-        | 119
-        | 132
-        | 133 => {
+        14 | 31..=35 | 71..=74 | 77 | 78 | 80..=88 | 101..=103 | 111..=113 | 132 | 133 => {
             return GCode::Later;
         }
         136..=138 | 161..=171 | 178..=190 | 205..=214 | 312 | 313 => return GCode::Later,

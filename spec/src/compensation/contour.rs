@@ -1,0 +1,49 @@
+//! What a motion does while compensation is in force (E100L-NRC-13, E100L-NRC-41, E100L-NRC-60).
+
+use super::ending::Pending;
+use super::leg::legs;
+use super::nose::Nose;
+use super::on::{On, Waiting};
+use super::stream::Stream;
+use crate::emission::Emission;
+use crate::fault::{Outcome, fail};
+use crate::modal::Plan;
+use crate::path::{Element, Shape, Tested, Way, carry_out};
+use crate::state::State;
+use crate::vocabulary::rule_ids::*;
+use crate::vocabulary::{AlarmName, RuleSet};
+
+/// Carries a motion out; its end in X and Z becomes known later.
+pub fn motion(
+    on: On,
+    element: &Element,
+    nose: Nose,
+    plan: &Plan,
+    stream: &mut Stream,
+    state: &mut State,
+) -> Outcome<On> {
+    let from = state.frame.machine;
+    let way = Way { from: (from.x, from.z), limits: Tested::OutsidePlane };
+    let event = carry_out(element, way, plan, state)?;
+    let event = event.rules(RuleSet::of(&[NRC_07])).rule_if(element.shape == Shape::Line, NRC_42);
+    if !element.in_plane() {
+        stream.emissions.push(Emission { at_rest: Some(nose.to_centre), ..event });
+        return Ok(on);
+    }
+    let (to, program, setup) = (state.frame.machine, state.frame.program(), state.setup);
+    let pending = |event| Pending::new(event, to.w - from.w, stream.place, state);
+    let Some((start, end)) = legs(element, from, to, (program.x, program.z), nose) else {
+        let repetition = pending(event.rules(RuleSet::of(&[NRC_46])));
+        return on.repeat(repetition, stream, setup);
+    };
+    if start.is_too_small() || end.is_too_small() {
+        return fail(AlarmName::CompensationArcTooSmall, NRC_48);
+    }
+    let motion = pending(event.rules(match element.shape {
+        Shape::Rapid => RuleSet::of(&[NRC_41]),
+        Shape::Line => RuleSet::EMPTY,
+        Shape::Arc { .. } => RuleSet::of(&[NRC_48, NRC_60]),
+    }));
+    let axes = on.meet(&start, stream, setup)?;
+    Ok(On::started(axes, Waiting::Element(motion, end)))
+}

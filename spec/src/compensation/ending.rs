@@ -1,0 +1,165 @@
+//! The end of a motion in compensation: where the tip goes, and the event that tells it (E100L-NRC-07).
+
+use super::reach::Reach;
+use crate::controls::e100l::units;
+use crate::emission::Emission;
+use crate::fault::{Outcome, fail};
+use crate::frame::{Amounts, TravelLimit};
+use crate::integer::Limited;
+use crate::path::{Point, feed_path};
+use crate::state::State;
+use crate::vocabulary::rule_ids::*;
+use crate::vocabulary::{Action, AlarmName, Length, Motion, Place, PlanePosition, RuleSet, Setup};
+
+/// P, and what was in force when the programmed motion ended there.
+#[derive(Clone, Debug)]
+pub struct Spot {
+    /// The block.
+    pub place: Place,
+    /// X (as a diameter) and Z in program coordinates.
+    program: Point,
+    /// The same in machine coordinates.
+    machine: Point,
+    limits: (TravelLimit, TravelLimit),
+}
+
+impl Spot {
+    /// The present point.
+    pub fn present(place: Place, state: &State) -> Self {
+        let (program, machine) = (state.frame.program(), state.frame.machine);
+        Self {
+            place,
+            program: (program.x, program.z),
+            machine: (machine.x, machine.z),
+            limits: (state.limits.x, state.limits.z),
+        }
+    }
+
+    /// The end at which the nose centre is this far from P. `to_centre` leads from the tip to the nose centre.
+    pub fn reached(&self, reach: &Reach, to_centre: Point) -> Ending {
+        let centre = reach.from(self.program);
+        let tip = (centre.0.saturating_sub(to_centre.0), centre.1.saturating_sub(to_centre.1));
+        self.ending(tip, to_centre)
+    }
+
+    /// The end without a motion: the tip stays where the axes are.
+    pub fn kept(&self, axes: Point, to_centre: Point) -> Ending {
+        let tip = (self.program.0 + axes.0 - self.machine.0, self.program.1 + axes.1 - self.machine.1);
+        self.ending(tip, to_centre)
+    }
+
+    fn ending(&self, tip: Point, to_centre: Point) -> Ending {
+        let displaced = |tip: i64, program: i64, machine: i64| tip.saturating_add(machine - program);
+        let machine = (
+            displaced(tip.0, self.program.0, self.machine.0),
+            displaced(tip.1, self.program.1, self.machine.1),
+        );
+        Ending { tip, to_centre, machine }
+    }
+
+    /// E100L-NRC-29, then E100L-NRC-80: the range of the address and the travel limits, for the tip.
+    fn check(&self, ending: &Ending, setup: &Setup) -> Outcome<()> {
+        let largest = units::largest_length(setup.unit_system).unsigned_abs();
+        if ending.tip.0.unsigned_abs() > largest || ending.tip.1.unsigned_abs() > largest {
+            return fail(AlarmName::CoordinateRange, ADDR_01);
+        }
+        for (limit, place) in [(self.limits.0, ending.machine.0), (self.limits.1, ending.machine.1)] {
+            match limit.of(place) {
+                Limited::Allowed => {}
+                Limited::Positive(_) => return fail(AlarmName::TravelLimitPositive, NRC_80),
+                Limited::Negative => return fail(AlarmName::TravelLimitNegative, NRC_80),
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Where tip and nose are at the end of a motion.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Ending {
+    /// T in program coordinates.
+    tip: Point,
+    /// v.
+    to_centre: Point,
+    /// T in machine coordinates.
+    pub machine: Point,
+}
+
+impl Ending {
+    /// Writes tip, nose and machine position into a motion.
+    fn show(&self, motion: &mut Motion) {
+        let position = |point: Point| PlanePosition { x: Length(point.0), z: Length(point.1) };
+        motion.tip = Some(position(self.tip));
+        motion.nose = Some(position((self.tip.0 + self.to_centre.0, self.tip.1 + self.to_centre.1)));
+        motion.machine.x = Length(self.machine.0);
+        motion.machine.z = Length(self.machine.1);
+    }
+}
+
+/// A motion whose end is not known yet.
+#[derive(Clone, Debug)]
+pub struct Pending {
+    /// Where it ends on the programmed path.
+    pub spot: Spot,
+    event: Emission,
+    /// Travel of W.
+    w_travel: i64,
+}
+
+impl Pending {
+    /// The motion that brought P here, as it would be without compensation.
+    pub fn new(event: Emission, w_travel: i64, place: Place, state: &State) -> Self {
+        Self { spot: Spot::present(place, state), event, w_travel }
+    }
+
+    /// Ends it: the event and where the axes are then. `axes` is where they were before.
+    pub fn end(
+        self,
+        ending: Ending,
+        rules: RuleSet,
+        axes: Point,
+        setup: &Setup,
+    ) -> Outcome<(Place, Emission)> {
+        let place = self.spot.place;
+        self.spot.check(&ending, setup).map_err(|fault| fault.of_block(place))?;
+        let mut event = self.event.rules(rules);
+        if let Some(motion) = motion_of(&mut event.action) {
+            ending.show(motion);
+        }
+        if let Action::Linear { motion, path, .. } = &mut event.action {
+            // E100L-NRC-42: F is the speed of the tip.
+            let at = |point: Point, w| Amounts { x: point.0, z: point.1, c: 0, w };
+            let c_travel = motion.c_travel.map(|travel| travel.0);
+            *path = feed_path(at(axes, 0), at(ending.machine, self.w_travel), c_travel, setup).0;
+        }
+        Ok((place, event))
+    }
+}
+
+fn motion_of(action: &mut Action) -> Option<&mut Motion> {
+    match action {
+        Action::Rapid { motion } | Action::Linear { motion, .. } | Action::Arc { motion, .. } => Some(motion),
+        _ => None,
+    }
+}
+
+/// A motion of C or W alone in compensation: tip and nose as they are when its turn comes.
+pub fn at_rest(mut event: Emission, axes: Point) -> Emission {
+    if let (Some(to_centre), Some(motion)) = (event.at_rest, motion_of(&mut event.action)) {
+        let of = |x: Length, z: Length| (x.0, z.0);
+        let program = of(motion.program.x, motion.program.z);
+        let machine = of(motion.machine.x, motion.machine.z);
+        let tip = (program.0 + axes.0 - machine.0, program.1 + axes.1 - machine.1);
+        Ending { tip, to_centre, machine: axes }.show(motion);
+    }
+    event
+}
+
+/// A motion of C or W alone after compensation: X and Z stay where the tip is (E100L-NRC-71).
+pub fn left_behind(mut event: Emission, axes: Point) -> Emission {
+    if let Some(motion) = motion_of(&mut event.action) {
+        motion.machine.x = Length(axes.0);
+        motion.machine.z = Length(axes.1);
+    }
+    event
+}

@@ -1,0 +1,162 @@
+//! Nose radius compensation: from the programmed path to the path of the tip (E100L-NRC-13).
+//!
+//! It stands between the path and the trace: motions come in as they are programmed, P, and leave with the end to
+//! which the nose leads them. The end of an element needs the element after it (E100L-NRC-12), so that one motion
+//! waits and later events are held behind it; blocks are carried out in their order all the same.
+//!
+//! [`nose`], [`leg`], [`circle`] and [`reach`] say what is offset and how far; [`corner`], [`lines`], [`line_and_arc`]
+//! and [`arcs`] where two elements meet; [`ending`] what the event of a motion tells; [`on`], [`back`], [`contour`], [`start_up`] and
+//! [`cancel`] what a block does.
+
+mod arcs;
+mod back;
+mod cancel;
+mod circle;
+mod contour;
+mod corner;
+mod ending;
+mod leg;
+mod line_and_arc;
+mod lines;
+mod nose;
+mod on;
+mod reach;
+mod start_up;
+mod stream;
+
+pub use stream::Stream;
+
+use crate::emission::Emission;
+use crate::fault::Outcome;
+use crate::modal::{Change, Plan};
+use crate::path::{Element, Point};
+use crate::state::State;
+use crate::vocabulary::rule_ids::*;
+use crate::vocabulary::{Place, RuleSet};
+use nose::Nose;
+use on::On;
+
+/// Radius compensation from one block to the next.
+#[derive(Default)]
+pub enum Compensation {
+    /// E100L-NRC-06: the tip follows the programmed path.
+    #[default]
+    Off,
+    /// G41 or G42 is in force.
+    On(Box<On>),
+    /// G40 is in force again, and the axes are still where the tip was led: X (as a diameter) and Z in machine
+    /// coordinates (E100L-NRC-71).
+    LeftOver {
+        /// Where they are.
+        axes: Point,
+    },
+}
+
+impl Compensation {
+    /// Whether a displacement is left over.
+    pub fn is_left_over(&self) -> bool {
+        matches!(self, Self::LeftOver { .. })
+    }
+
+    /// The stream of a block that begins.
+    pub fn stream<'a>(&self, place: Place, decided: &'a mut Vec<(Place, Emission)>) -> Stream<'a> {
+        Stream::new(place, matches!(self, Self::On(_)), decided)
+    }
+
+    /// The motions of a block, or its dwell; whether it counts as a block with X/Z motion.
+    pub fn motion(
+        &mut self,
+        plan: &Plan,
+        elements: &[Element],
+        dwell: Option<Emission>,
+        stream: &mut Stream,
+        state: &mut State,
+    ) -> Outcome<bool> {
+        let before = std::mem::take(self);
+        let begins = plan.compensation == Change::Begins;
+        *self = match (before, Nose::in_force(state)) {
+            (Self::On(on), None) => cancel::cancel(*on, plan, elements, dwell, stream, state)?,
+            (Self::On(on), Some(nose)) => {
+                stream.emissions.extend(dwell);
+                Self::On(Box::new(along_contour(*on, elements, nose, plan, stream, state)?))
+            }
+            (before, Some(nose)) => Self::On(Box::new(begin(&before, elements, nose, plan, stream, state)?)),
+            (before, None) => {
+                stream.emissions.extend(dwell);
+                without(before, elements, plan, stream, state)?
+            }
+        };
+        Ok(begins || elements.iter().any(Element::in_plane))
+    }
+
+    /// The end of a block; `moved`: it had an X/Z motion.
+    pub fn end_of_block(&mut self, moved: bool, stream: &mut Stream, state: &State) -> Outcome<()> {
+        *self = match std::mem::take(self) {
+            Self::On(on) if moved => Self::On(Box::new(on.hold(stream))),
+            Self::On(on) => Self::On(Box::new(on.pass(stream, state)?)),
+            other => other,
+        };
+        Ok(())
+    }
+
+    /// M02 or M30: the last motion ends in contact, and the axes stay there (E100L-NRC-44).
+    pub fn end_of_program(&mut self, stream: &mut Stream, state: &State) -> Outcome<()> {
+        if let Self::On(on) = std::mem::take(self) {
+            on.conclude(NRC_44, None, stream, state.setup)?;
+            stream.holding = false;
+        }
+        Ok(())
+    }
+}
+
+fn along_contour(
+    mut on: On,
+    elements: &[Element],
+    nose: Nose,
+    plan: &Plan,
+    stream: &mut Stream,
+    state: &mut State,
+) -> Outcome<On> {
+    for element in elements {
+        on = contour::motion(on, element, nose, plan, stream, state)?;
+    }
+    Ok(on)
+}
+
+/// E100L-NRC-14: the first motion of the block, or one of its own, is the start-up.
+fn begin(
+    before: &Compensation,
+    elements: &[Element],
+    nose: Nose,
+    plan: &Plan,
+    stream: &mut Stream,
+    state: &mut State,
+) -> Outcome<On> {
+    let axes = match before {
+        Compensation::LeftOver { axes } => *axes,
+        _ => (state.frame.machine.x, state.frame.machine.z),
+    };
+    let (own, rest) = match elements.split_first() {
+        Some((first, rest)) => (first.clone(), rest),
+        None => (start_up::without_words(plan, state), elements),
+    };
+    let on = start_up::begin(&own, nose, axes, plan, stream, state)?;
+    along_contour(on, rest, nose, plan, stream, state)
+}
+
+fn without(
+    mut before: Compensation,
+    elements: &[Element],
+    plan: &Plan,
+    stream: &mut Stream,
+    state: &mut State,
+) -> Outcome<Compensation> {
+    for element in elements {
+        let rules = match before {
+            Compensation::LeftOver { axes } => cancel::taken_away(axes, element, state)?,
+            _ => RuleSet::EMPTY,
+        };
+        before = cancel::uncompensated(before, element, rules, plan, stream, state)?;
+    }
+    Ok(before)
+}

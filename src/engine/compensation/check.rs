@@ -1,0 +1,110 @@
+//! What is checked of plane and compensation before a block is carried out (execution, check 6).
+
+use turnspec_oracle::vocabulary::rule_ids as rules;
+use turnspec_oracle::vocabulary::{AlarmName, Label};
+
+use crate::engine::Interpreter;
+use crate::engine::block::OneShot;
+use crate::engine::codes::GGroup;
+use crate::engine::fault::Fault;
+use crate::engine::words::{Address, Words};
+
+use super::waiting::undefined;
+
+/// What the words of a block do to compensation.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Change {
+    /// Nothing, or they change the side.
+    None,
+    /// They begin it.
+    Begins,
+    /// They end it.
+    Ends,
+}
+
+const SHIFTS: u32 = Address::set(&[Address::X, Address::Z, Address::C, Address::W]);
+const IMAGINARY: u32 = Address::set(&[Address::I, Address::K]);
+
+impl Interpreter<'_> {
+    /// What the words of a block do to compensation.
+    pub(in crate::engine) fn compensation_change(&self, words: &Words) -> Change {
+        match (words.code_of(GGroup::Compensation), self.state.compensation) {
+            (Some(41 | 42), 40) => Change::Begins,
+            (Some(40), 41 | 42) => Change::Ends,
+            _ => Change::None,
+        }
+    }
+
+    /// Check 6, of a block with a motion mode.
+    pub(in crate::engine) fn check_compensation(
+        &self,
+        words: &Words,
+        one_shot: OneShot,
+        motion: u16,
+        change: Change,
+    ) -> Result<(), Fault> {
+        let compensation = words.code_of(GGroup::Compensation);
+        let plane = words.code_of(GGroup::Plane);
+        let before = self.state.compensation;
+        if compensation.is_none() && plane.is_none() && before == 40 && !self.compensation.is_left_over() {
+            return Ok(());
+        }
+        self.check_plane(plane, compensation, change)?;
+        if change != Change::None {
+            check_change(words, one_shot, motion, change)?;
+        }
+        let compensating = before != 40;
+        let compensated = compensation.unwrap_or(before) != 40;
+        match one_shot {
+            OneShot::ZeroShift if compensated && words.has_any(SHIFTS) => {
+                Fault::raise(AlarmName::CompensationNotAllowed, rules::NRC_81)
+            }
+            OneShot::Dwell | OneShot::TorqueOff | OneShot::TorqueLimit | OneShot::ZeroShift
+                if change == Change::Begins =>
+            {
+                Err(undefined(rules::NRC_20, "start_up"))
+            }
+            OneShot::TorqueSkip if compensating || compensated || self.compensation.is_left_over() => {
+                Err(undefined(rules::NRC_81, "G22"))
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// The plane word, and the plane in which compensation works.
+    fn check_plane(
+        &self,
+        plane: Option<u16>,
+        compensation: Option<u16>,
+        change: Change,
+    ) -> Result<(), Fault> {
+        if matches!(plane, Some(17 | 119)) && !self.state.c_joined {
+            return Fault::raise(AlarmName::CAxisNotJoined, rules::CRC_02);
+        }
+        if plane.is_some() && self.state.compensation != 40 && change != Change::Ends {
+            return Fault::raise(AlarmName::PlaneChangeInCompensation, rules::CRC_13);
+        }
+        match compensation {
+            Some(code @ (41 | 42)) if plane.unwrap_or(self.state.plane) != 18 => {
+                let detail = Label::of_code(b'G', code);
+                Err(Fault::about(AlarmName::NotModelled, rules::CRC_14, detail))
+            }
+            _ => Ok(()),
+        }
+    }
+}
+
+/// A block that begins or ends compensation: its motion mode, and its imaginary point.
+fn check_change(words: &Words, one_shot: OneShot, motion: u16, change: Change) -> Result<(), Fault> {
+    let begins = change == Change::Begins;
+    if motion >= 2 {
+        let rule = if begins { rules::NRC_19 } else { rules::NRC_72 };
+        return Fault::raise(AlarmName::CompensationNotLinear, rule);
+    }
+    let zero = [Address::I, Address::K].iter().all(|address| words.get(*address).unwrap_or_default() == 0);
+    if one_shot == OneShot::None && words.has_any(IMAGINARY) && zero {
+        let rule = if begins { rules::NRC_24 } else { rules::NRC_70 };
+        return Fault::raise(AlarmName::CompensationImaginaryPoint, rule);
+    }
+    Ok(())
+}

@@ -1,0 +1,138 @@
+//! An element as compensation sees it: its directions where it begins and ends, its side and its nose.
+//!
+//! Directions are in half nanometres: twice Z, and the diameter X. Everything is relative to the programmed
+//! points, in the coordinates of the element's own block.
+
+use turnspec_oracle::vocabulary::Sense;
+
+use crate::engine::arithmetic::plane::{Direction, Point, bounded, difference, left, square};
+
+/// A line or an arc.
+#[derive(Clone, Copy, Debug)]
+pub enum Shape {
+    /// Its travel.
+    Line(Direction),
+    /// An arc by the ways from its centre to its ends.
+    Arc {
+        start: Direction,
+        end: Direction,
+        /// 1 counter-clockwise, -1 clockwise.
+        turn: i128,
+    },
+}
+
+impl Shape {
+    /// A line between two points.
+    pub fn line(start: Point, end: Point) -> Self {
+        Self::Line(bounded(difference(end, start)))
+    }
+
+    /// An arc between two points about a centre.
+    pub fn arc(start: Point, end: Point, centre: Point, sense: Sense) -> Self {
+        let turn = if sense == Sense::CounterClockwise { 1 } else { -1 };
+        let [start, end] = [start, end].map(|point| bounded(difference(point, centre)));
+        Self::Arc { start, end, turn }
+    }
+}
+
+/// The circle of an arc at one of its ends.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Circle {
+    /// From the centre to the programmed end.
+    pub from_centre: Direction,
+    /// What the nose takes off the radius, in half nanometres: negative outside.
+    pub inward: i128,
+}
+
+impl Circle {
+    /// Whether the nose does not fit into it (E100L-NRC-48).
+    pub fn is_too_small(self) -> bool {
+        self.inward > 0 && self.inward * self.inward > square(self.from_centre)
+    }
+}
+
+/// One end of an element.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum End {
+    /// Of a line, with its direction.
+    Line(Direction),
+    /// Of an arc.
+    Arc(Circle),
+}
+
+/// An element with what is in force in its block.
+#[derive(Clone, Copy, Debug)]
+pub struct Contour {
+    pub shape: Shape,
+    /// 1 in G41, -1 in G42.
+    pub side: i128,
+    /// The nose radius in nanometres.
+    pub radius: i64,
+    /// From the tip to the nose centre, X as a diameter.
+    pub to_centre: Point,
+}
+
+impl Default for Contour {
+    fn default() -> Self {
+        Self { shape: Shape::Line((1, 0)), side: 1, radius: 0, to_centre: Point { x: 0, z: 0 } }
+    }
+}
+
+impl Contour {
+    /// The signed distance of the nose centre to the left of the element, in half nanometres.
+    pub fn offset(&self) -> i128 {
+        2 * self.side * i128::from(self.radius)
+    }
+
+    /// Its direction of travel where it begins.
+    pub fn begin_tangent(&self) -> Direction {
+        match self.shape {
+            Shape::Line(travel) => travel,
+            Shape::Arc { start, turn, .. } => turned(start, turn),
+        }
+    }
+
+    /// Its direction of travel where it ends.
+    pub fn end_tangent(&self) -> Direction {
+        match self.shape {
+            Shape::Line(travel) => travel,
+            Shape::Arc { end, turn, .. } => turned(end, turn),
+        }
+    }
+
+    /// Where it begins.
+    pub fn begin(&self) -> End {
+        match self.shape {
+            Shape::Line(travel) => End::Line(travel),
+            Shape::Arc { start, turn, .. } => self.circle(start, turn),
+        }
+    }
+
+    /// Where it ends.
+    pub fn end(&self) -> End {
+        match self.shape {
+            Shape::Line(travel) => End::Line(travel),
+            Shape::Arc { end, turn, .. } => self.circle(end, turn),
+        }
+    }
+
+    /// Whether it is an arc.
+    pub fn is_arc(&self) -> bool {
+        matches!(self.shape, Shape::Arc { .. })
+    }
+
+    /// Whether it is an arc that the nose does not fit into (E100L-NRC-48).
+    pub fn is_too_small(&self) -> bool {
+        [self.begin(), self.end()].iter().any(|end| matches!(end, End::Arc(circle) if circle.is_too_small()))
+    }
+
+    fn circle(&self, from_centre: Direction, turn: i128) -> End {
+        End::Arc(Circle { from_centre, inward: turn * self.offset() })
+    }
+}
+
+/// The tangent of a circle at a point from its centre.
+fn turned(from_centre: Direction, turn: i128) -> Direction {
+    let (z, x) = left(from_centre);
+    (turn * z, turn * x)
+}
