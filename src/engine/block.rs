@@ -81,12 +81,7 @@ pub(super) struct Before {
 
 impl Interpreter<'_> {
     /// Checks a block, and tells what it will do.
-    pub(super) fn check(
-        &self,
-        parsed: &Parsed,
-        words: &Words,
-        before: Before,
-    ) -> Result<Plan, Fault> {
+    pub(super) fn check(&self, parsed: &Parsed, words: &Words, before: Before) -> Result<Plan, Fault> {
         let Before { motion: motion_before, after_angle, left_over } = before;
         let motion = words.g_codes().iter().copied().find(|code| *code <= 3).unwrap_or(motion_before);
         let one_shot = OneShot::of(words);
