@@ -26,13 +26,13 @@ const ORACLE_SHARE: usize = 25;
 struct Workload {
     name: &'static str,
     text: Vec<u8>,
+    setup: Setup,
     blocks: usize,
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
     let argument = std::env::args().skip(1).find_map(|argument| argument.parse().ok());
     let blocks: usize = argument.unwrap_or(BLOCKS).max(ORACLE_SHARE);
-    let setup = Setup::default();
     let mut out = io::stdout().lock();
     writeln!(out, "| program | what | blocks | MB | ms | blocks/s | MB/s |")?;
     writeln!(out, "|---|---|---:|---:|---:|---:|---:|")?;
@@ -40,30 +40,32 @@ fn main() -> Result<(), Box<dyn Error>> {
     for (long, short) in programs.iter().zip(&workloads(blocks / ORACLE_SHARE)) {
         row(&mut out, long, "copy", || copy(&long.text))?;
         row(&mut out, long, "search for line ends", || line_ends(&long.text))?;
-        row(&mut out, long, "parse only", || parse(long, &setup))?;
-        row(&mut out, long, "engine", || engine(&long.text, &setup))?;
-        row(&mut out, long, "engine, trace as JSON", || engine_with_json(&long.text, &setup))?;
-        row(&mut out, short, "oracle", || oracle(&short.text, &setup))?;
+        row(&mut out, long, "parse only", || parse(long))?;
+        row(&mut out, long, "engine", || engine(long))?;
+        row(&mut out, long, "engine, trace as JSON", || engine_with_json(long))?;
+        row(&mut out, short, "oracle", || oracle(short))?;
     }
-    rs274(&mut out, &setup, &programs[0])?;
+    rs274(&mut out, &programs[0])?;
     for load in &programs {
-        writeln!(out, "{}: {}", load.name, slow_paths(&load.text, &setup))?;
+        writeln!(out, "{}: {}", load.name, slow_paths(load))?;
     }
     Ok(())
 }
 
-fn workloads(blocks: usize) -> [Workload; 3] {
-    use turnspec_generator::{arcs_and_chamfers, expressions, straight_line};
+fn workloads(blocks: usize) -> [Workload; 4] {
+    use turnspec_generator::{arcs_and_chamfers, compensated, expressions, straight_line, with_nose};
+    let plain = Setup::default;
     [
-        Workload { name: "straight lines", text: straight_line(blocks), blocks },
-        Workload { name: "arcs and chamfers", text: arcs_and_chamfers(blocks), blocks },
-        Workload { name: "expressions", text: expressions(blocks), blocks },
+        Workload { name: "straight lines", text: straight_line(blocks), setup: plain(), blocks },
+        Workload { name: "arcs and chamfers", text: arcs_and_chamfers(blocks), setup: plain(), blocks },
+        Workload { name: "radius compensation", text: compensated(blocks), setup: with_nose(), blocks },
+        Workload { name: "expressions", text: expressions(blocks), setup: plain(), blocks },
     ]
 }
 
 /// How often the engine needed exact integers because `f64` left a rounding or a sign in doubt.
-fn slow_paths(text: &[u8], setup: &Setup) -> String {
-    let mut interpreter = turnspec::engine::Interpreter::new(text, setup);
+fn slow_paths(load: &Workload) -> String {
+    let mut interpreter = turnspec::engine::Interpreter::new(&load.text, &load.setup);
     let mut events: u64 = 0;
     while interpreter.step(&mut |_: &Event| events += 1).is_none() {}
     format!("{:?} in {events} events", interpreter.slow_paths())
@@ -103,8 +105,8 @@ fn line_ends(text: &[u8]) -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-fn parse(load: &Workload, setup: &Setup) -> Result<(), Box<dyn Error>> {
-    let blocks = black_box(turnspec::engine::count_blocks(black_box(&load.text), setup));
+fn parse(load: &Workload) -> Result<(), Box<dyn Error>> {
+    let blocks = black_box(turnspec::engine::count_blocks(black_box(&load.text), &load.setup));
     if blocks == load.blocks as u64 {
         Ok(())
     } else {
@@ -112,16 +114,16 @@ fn parse(load: &Workload, setup: &Setup) -> Result<(), Box<dyn Error>> {
     }
 }
 
-fn engine(text: &[u8], setup: &Setup) -> Result<(), Box<dyn Error>> {
-    ended(turnspec::engine::run(text, setup, &mut |event: &Event| {
+fn engine(load: &Workload) -> Result<(), Box<dyn Error>> {
+    ended(turnspec::engine::run(&load.text, &load.setup, &mut |event: &Event| {
         black_box(event);
     }))
 }
 
-fn engine_with_json(text: &[u8], setup: &Setup) -> Result<(), Box<dyn Error>> {
+fn engine_with_json(load: &Workload) -> Result<(), Box<dyn Error>> {
     let mut line = Vec::new();
     let mut fault = None;
-    let ending = turnspec::engine::run(text, setup, &mut |event: &Event| {
+    let ending = turnspec::engine::run(&load.text, &load.setup, &mut |event: &Event| {
         line.clear();
         fault = serde_json::to_writer(&mut line, event).err().or(fault.take());
         black_box(&line);
@@ -129,8 +131,8 @@ fn engine_with_json(text: &[u8], setup: &Setup) -> Result<(), Box<dyn Error>> {
     fault.map_or_else(|| ended(ending), |error| Err(error.into()))
 }
 
-fn oracle(text: &[u8], setup: &Setup) -> Result<(), Box<dyn Error>> {
-    ended(turnspec_oracle::run(text, setup, &mut |event: &Event| {
+fn oracle(load: &Workload) -> Result<(), Box<dyn Error>> {
+    ended(turnspec_oracle::run(&load.text, &load.setup, &mut |event: &Event| {
         black_box(event);
     }))
 }
@@ -144,13 +146,13 @@ fn ended(ending: Ending) -> Result<(), Box<dyn Error>> {
 }
 
 /// Times `rs274`, process start and output included, on the motions of a program.
-fn rs274(out: &mut impl io::Write, setup: &Setup, program: &Workload) -> Result<(), Box<dyn Error>> {
-    let (text, motions) = rs274_dialect(&program.text, setup)?;
+fn rs274(out: &mut impl io::Write, program: &Workload) -> Result<(), Box<dyn Error>> {
+    let (text, motions) = rs274_dialect(&program.text, &program.setup)?;
     let directory = std::env::temp_dir().join(format!("turnspec-rs274-{}", std::process::id()));
     fs::create_dir_all(&directory)?;
     fs::write(directory.join("program.ngc"), &text)?;
     fs::write(directory.join("tools.tbl"), "")?;
-    let load = Workload { name: program.name, text, blocks: motions };
+    let load = Workload { name: program.name, text, setup: Setup::default(), blocks: motions };
     let outcome = match run_rs274(&directory) {
         Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(()),
         _ => row(out, &load, "rs274", || match run_rs274(&directory)? {

@@ -12,7 +12,9 @@ use proptest::prelude::*;
 use support::campaign::{self, Summary};
 use support::regression;
 use turnspec::differential::compare;
-use turnspec_generator::{Case, arcs_and_chamfers, case_from_seed, expressions, straight_line};
+use turnspec_generator::{
+    Case, arcs_and_chamfers, case_from_seed, compensated, expressions, straight_line, with_nose,
+};
 use turnspec_oracle::vocabulary::{Action, AlarmName, Event, RuleSet, Setup};
 
 /// From this size on a run has to meet every alarm.
@@ -90,9 +92,14 @@ fn traces_read_back_from_json() -> Result<(), serde_json::Error> {
 
 #[test]
 fn benchmark_programs_run_without_an_alarm() {
-    let setup = Setup::default();
+    let plain = Setup::default;
     for blocks in [2, 3, 50, 501] {
-        for program in [straight_line(blocks), arcs_and_chamfers(blocks), expressions(blocks)] {
+        for (program, setup) in [
+            (straight_line(blocks), plain()),
+            (arcs_and_chamfers(blocks), plain()),
+            (expressions(blocks), plain()),
+            (compensated(blocks), with_nose()),
+        ] {
             let text = String::from_utf8_lossy(&program).into_owned();
             assert_eq!(text.lines().count(), blocks);
             match compare(&program, &setup) {

@@ -1,6 +1,8 @@
-//! Deterministic programs for benchmarks: they run without an alarm on the default set-up.
+//! Deterministic programs for benchmarks: they run without an alarm, on the default set-up if none is named.
 
 use std::fmt::Write;
+
+use turnspec_oracle::vocabulary::{Length, NoseRadius, Setup};
 
 /// A program of rapids and lines, of `blocks` blocks (at least 2) with M02.
 #[must_use]
@@ -68,6 +70,51 @@ pub fn expressions(blocks: usize) -> Vec<u8> {
     }
     text.push_str("M02\n");
     text.into_bytes()
+}
+
+/// A program of contours in nose radius compensation, of `blocks` blocks (at least 2): start-ups, lines and arcs that
+/// meet inside and outside, cancels.
+#[must_use]
+pub fn compensated(blocks: usize) -> Vec<u8> {
+    const GROUP: &[&str] = &[
+        "G00 X100 Z10",
+        "G42 X20 Z2",
+        "G01 Z-",
+        "X30 Z-10",
+        "Z-20",
+        "G03 X40 Z-25 K-5",
+        "G01 Z-40",
+        "G02 X60 Z-50 I10",
+        "G01 X70",
+        "X80 Z-55",
+        "Z-6",
+        "X84 Z-72",
+        "Z-80",
+        "X90",
+        "G40 G00 X110",
+    ];
+    let mut numbers = Numbers(4);
+    let mut text = String::from("G95 G01 F0.2 T010101\n");
+    let wanted = blocks.saturating_sub(2);
+    for place in 0..wanted {
+        let complete = place / GROUP.len() < wanted / GROUP.len();
+        let _ = match GROUP.get(place % GROUP.len()) {
+            Some(line) if complete && line.ends_with(['-', '6']) => {
+                writeln!(text, "{line}{}", numbers.length(9_999))
+            }
+            Some(line) if complete => writeln!(text, "{line}"),
+            _ => writeln!(text, "G00 X{} Z{}", numbers.length(90_000), numbers.length(40_000)),
+        };
+    }
+    text.push_str("M02\n");
+    text.into_bytes()
+}
+
+/// The set-up of [`compensated`]: nose radius 0.4 mm in entry 1.
+#[must_use]
+pub fn with_nose() -> Setup {
+    let nose = NoseRadius { number: 1, x: Length(400_000), z: Length(400_000) };
+    Setup { nose_radius: vec![nose], ..Setup::default() }
 }
 
 /// A stream of pseudo-random lengths that never changes (a linear congruence of 64 bits).

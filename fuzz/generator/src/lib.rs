@@ -43,7 +43,7 @@ mod unit;
 mod variables;
 mod words;
 
-pub use bench::{arcs_and_chamfers, expressions, straight_line};
+pub use bench::{arcs_and_chamfers, compensated, expressions, straight_line, with_nose};
 pub use case::{Case, case_from_seed, case_from_seed_within};
 pub use expression::{Expression, Function, Operator, Variable};
 pub use formulas::Formulas;
