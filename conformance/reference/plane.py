@@ -1,10 +1,11 @@
 """Numbers whose sign and rounding are certain, and vectors of the plane (z, x), x a radius, in mm.
 
-Coordinates are exact decimals; square roots and quotients of them have 60 digits at first. Where these cannot
-tell a number from zero, or from the middle between two nanometres, `Undecided` asks for the computation to be
-done again with 1000 digits. Then what lies below 1e-900 is zero: a number that is not, here an expression of at
-most four square roots in coordinates of at most 14 digits, is the root of a polynomial of degree 16 with whole
-coefficients below 1e600 after scaling, hence greater.
+Coordinates are exact decimals; square roots and quotients of them have 60 digits at first, far more than the
+errors of one corner take. Where these cannot tell a number from zero, or from the middle between two nanometres,
+`Undecided` asks for the whole computation with 1000 digits. Then what lies below 1e-900 is zero: such a number has
+at most four square roots, hence at most 16 conjugates; times twice the square of a distance, in half nanometres,
+it is an algebraic integer with conjugates below 1e40, whose product is a whole number. Unless it is zero it is
+above 1e-650.
 """
 from decimal import Decimal as D, Inexact, ROUND_HALF_UP, getcontext, localcontext
 
