@@ -2,7 +2,7 @@
 from decimal import Decimal as D
 from typing import NamedTuple
 
-from plane import add, latch, length, sub
+from plane import add, latch, latched_length, sub
 
 #: Largest X and Z of a program, in mm (ADDR-01).
 RANGE = D("99999.999")
@@ -72,7 +72,7 @@ class Motion:
             fields |= pair("t", self.tip) | pair("n", self.nose)
         if self.kind == "linear" and "c" not in self.fields:
             dz, dx = sub(target, axes)
-            fields["path"] = number(latch(length((dz, dx / 2))))
+            fields["path"] = number(latched_length((dz, dx / 2)))
         return Event(self.kind, fields | self.fields, self.general_rules() + self.rules, self.place), target
 
     def general_rules(self):

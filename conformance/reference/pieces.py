@@ -83,11 +83,11 @@ class Pieces:
         return size if self.dice.once_in(2) else -size
 
     def line(self):
-        """Along an axis, a taper, or one with the sides of a triangle in whole numbers."""
-        size = self.size()
-        z, x = self.dice.one_of(((1, 0), (0, 2), (self.dice.between(1, 9), self.dice.between(1, 9)), (3, 8), (12, 10)))
-        divisor = max(z, x)
-        z, x = self.forward(self.signed(z * size // divisor), self.signed(x * size // divisor))
+        """Along an axis, a taper, or one with the sides of a triangle in whole numbers (Z, and X as a diameter)."""
+        any_taper = (self.dice.between(1, 9), self.dice.between(1, 9))
+        z, x = self.dice.one_of(((1, 0), (0, 2), (1, 0), (0, 2), any_taper, any_taper, (3, 8), (12, 10), (255, 64)))
+        scale = max(1, self.size() // max(z, x))
+        z, x = self.forward(self.signed(z * scale), self.signed(x * scale))
         self.to(self.z + z, self.x + x)
 
     def forward(self, z, x):

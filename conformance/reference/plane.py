@@ -96,3 +96,13 @@ def length(a):
 
 def unit(a):
     return (a[0] / length(a), a[1] / length(a))
+
+
+def latched_length(a):
+    """To the nanometre, half up, of a vector between coordinates: decided on squares, which are exact."""
+    square = dot(a, a)
+    rounded, half = square.sqrt().quantize(NANOMETRE), NANOMETRE / 2
+    if exact_sign(lambda: square - (rounded + half) * (rounded + half)) >= 0:
+        return rounded + NANOMETRE
+    below = rounded > 0 and exact_sign(lambda: square - (rounded - half) * (rounded - half)) < 0
+    return rounded - NANOMETRE if below else rounded
