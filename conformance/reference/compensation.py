@@ -1,86 +1,63 @@
 #!/usr/bin/env python3
-"""Tool nose radius compensation of the OSP-E100L, computed from the rule text alone.
-
-    compensation.py PROGRAM [SETUP.toml]     prints the trace of a program in compact notation
-    compensation.py --check CHAPTER.md...    compares the examples of the rule texts with it
-
-A third opinion beside the oracle and the engine, for the subset of programs that program.py names. In
-examples it compares the fields that it computes, and of the rules those of compensation and planes.
-"""
-import re
+"""Nose radius compensation of the OSP-E100L, computed from the rule text alone: see README.md."""
+import argparse
 import sys
 import tomllib
 
-from program import Run, Unsupported
+from against import check_contours
+from compare import check_cases, check_chapter
+from events import Unsupported
+from program import trace_of
 
 
-def text_of(event):
-    kind, fields, rules, place = event
-    words = [kind] + [f"{k}={v}" for k, v in fields.items()] + [f"line={place[0]}"]
-    return " ".join(words + ([f"rules={'+'.join(dict.fromkeys(rules))}"] if rules else []))
+def arguments():
+    parser = argparse.ArgumentParser(prog="compensation.py", description=__doc__)
+    parser.add_argument("program", nargs="?", help="a part program whose trace is printed")
+    parser.add_argument("--setup", metavar="FILE", help="its set-up file")
+    parser.add_argument("--check", metavar="CHAPTER", nargs="+", help="compare the examples of rule chapters")
+    parser.add_argument("--cases", metavar="FILE", nargs="+", help="compare the expected events of conformance cases")
+    parser.add_argument("--contours", metavar="COUNT", type=int, help="compare random contours with an implementation")
+    parser.add_argument("--seed", type=int, default=1, help="the seed of the contours (default 1)")
+    parser.add_argument("--with", metavar="COMMAND", action="append", dest="commands", default=[],
+                        help="command of an implementation that writes its trace as JSON Lines; {program} and {setup} "
+                             "stand for the paths of the files; may be repeated")
+    return parser
 
 
-def differs(line, event):
-    """Why an expected line does not fit; fields outside this subset and rules of other areas do not count."""
-    kind, fields, rules, place = event
-    words = line.split()
-    if words[0] != kind:
-        return f"{kind} instead of {words[0]}"
-    for key, value in (word.split("=", 1) for word in words[1:]):
-        if key == "rules":
-            ids = [r.removeprefix("E100L-") for r in value.split("+")]
-            missing = [r for r in ids if r[:3] in ("NRC", "CRC") and r not in rules]
-            if missing:
-                return f"rules {missing} not in {rules}"
-            continue
-        known = {"line": str(place[0]), "block": place[1]} | fields
-        if value == "-" and key in known or value != "-" and key in known and known[key] != value:
-            return f"{key}={known[key]} instead of {value}"
-    return None
+def main():
+    parser = arguments()
+    given = parser.parse_args()
+    if (given.contours is None) != (not given.commands):
+        parser.error("--contours and --with belong together")
+    if not (given.program or given.check or given.cases or given.commands):
+        parser.error("nothing to do")
+    agree = []
+    if given.program:
+        show(given.program, given.setup)
+    for path in given.check or []:
+        agree.append(not check_chapter(path).differ)
+    if given.cases:
+        agree.append(not check_cases(given.cases).differ)
+    if given.commands:
+        agree.append(check_contours(given.contours, given.seed, given.commands))
+    return 0 if all(agree) else 1
 
 
-def compare(expected, trace):
-    lines = [line.strip() for line in expected.splitlines() if line.strip() and line.strip()[0] != "#"]
-    place = 0
-    for index, line in enumerate(lines):
-        if line == "...":
-            if index + 1 == len(lines):
-                return None
-            while place < len(trace) and differs(lines[index + 1], trace[place]):
-                place += 1
-            continue
-        if place == len(trace):
-            return f"`{line}`: the trace ends"
-        reason = differs(line, trace[place])
-        if reason:
-            return f"`{line}`: {reason}"
-        place += 1
-    return None if place == len(trace) else f"more events: {text_of(trace[place])}"
-
-
-EXAMPLE = re.compile(r"```nc\n(.*?)```\n(?:\s*```toml\n(.*?)```\n)?\s*```trace\n(.*?)```", re.S)
-
-
-def check(path):
-    text = open(path, encoding="utf-8").read()
-    counts = {"agree": 0, "outside": 0, "differ": 0}
-    for found in EXAMPLE.finditer(text):
-        try:
-            trace = Run(found[1], tomllib.loads(found[2] or "")).trace
-            reason = compare(found[3], trace)
-        except Unsupported:
-            counts["outside"] += 1
-            continue
-        counts["differ" if reason else "agree"] += 1
-        if reason:
-            print(f"{path}:{text.count(chr(10), 0, found.start()) + 1}: {reason}")
-    print(path, counts)
-    return counts["differ"]
+def show(program, setup):
+    """Prints the trace of a program in compact notation."""
+    with open(program, encoding="ascii") as file:
+        text = file.read()
+    table = {}
+    if setup:
+        with open(setup, "rb") as file:
+            table = tomllib.load(file)
+    for event in trace_of(text, table):
+        print(event.text())
 
 
 if __name__ == "__main__":
-    if sys.argv[1:2] == ["--check"]:
-        sys.exit(1 if sum(check(path) for path in sys.argv[2:]) else 0)
-    setup_text = open(sys.argv[2], encoding="utf-8").read() if len(sys.argv) > 2 else ""
-    for shown in Run(open(sys.argv[1], encoding="utf-8").read(), tomllib.loads(setup_text)).trace:
-        print(text_of(shown))
+    try:
+        sys.exit(main())
+    except (OSError, Unsupported) as fault:
+        print(f"compensation.py: {fault}", file=sys.stderr)
+        sys.exit(2)
