@@ -11,7 +11,7 @@ NOSES = (800, 400, 1200, 801, 397, 200, 0)
 #: Blocks that are refused in compensation, or whose codes are.
 FAULTS = ("G50 X100", "G18 X50", "G17", "G01 X10 I5", "G40 G03 X30 Z30 K-2", "G40 G02 I-2 K0", "G02 X20 Z20",
           "G40 G00 X100 I0 K0", "G75 X50", "G00 G76 X20 L1", "G03 X30 Z30 L0.001", "G02 X50 Z50 I1 L5",
-          "G40 G01 G76 X-900 L3", "G01 C45")
+          "G40 G01 G76 X-900 L3", "G01 C45", "G91 G02 X0.02 Z0 I0.01")
 
 
 class Contour(NamedTuple):
