@@ -167,3 +167,35 @@ fn strip(view: &View) -> Markup {
         }
     }
 }
+
+#[cfg(test)]
+#[allow(clippy::panic)]
+mod tests {
+    use turnspec_oracle::vocabulary::{Event, Setup};
+
+    use super::super::scene::Scene;
+    use super::svg;
+
+    fn drawing(blocks: &[&str]) -> Result<String, String> {
+        let program = b"N1 G42 G01 X100 Z100 F0.2 T010101\nN2 Z80\nN3 Z80\nN4 X60 Z70\nM02\n";
+        let setup = Setup::from_toml("[[nose_radius]]\nnumber = 1\nx = 0.8\nz = 0.8\n");
+        let mut trace = Vec::new();
+        let setup = setup.unwrap_or_else(|error| panic!("{error}"));
+        turnspec_oracle::run(program, &setup, &mut |event: &Event| trace.push(*event));
+        svg("At N2 & N3", &Scene::of(&trace)?, blocks)
+    }
+
+    #[test]
+    fn a_drawing_has_its_caption_and_the_names_of_its_points() {
+        let text = drawing(&["N2", "N3"]).unwrap_or_else(|reason| panic!("{reason}"));
+        assert!(text.contains("<title>At N2 &amp; N3</title>"));
+        assert!(text.contains(">N2 N3</text>"), "one point, two blocks");
+        assert!(text.contains(">N2</text>") && text.contains(">N3</text>"), "two nose centres");
+        assert!(!text.contains(">N1<") && !text.contains(">N4<"), "outside the window");
+    }
+
+    #[test]
+    fn a_caption_without_blocks_is_refused() {
+        assert!(drawing(&["N9"]).is_err());
+    }
+}
