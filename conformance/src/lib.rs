@@ -14,6 +14,8 @@ mod comparison;
 pub mod corpus;
 mod decimal;
 mod declaration;
+#[cfg(feature = "drawings")]
+mod drawing;
 mod exercise;
 mod expectation;
 mod explanation;
@@ -40,6 +42,8 @@ pub use case::{Basis, Case};
 pub use comparison::{Difference, Divergence, Verdict, compare, compare_traces, read_trace};
 pub use decimal::Decimal;
 pub use declaration::{Alarms, Declaration, DeclarationError, Refusals, Subject, Undecided, Waiver};
+#[cfg(feature = "drawings")]
+pub use drawing::drawings;
 pub use exercise::Exercise;
 pub use expectation::{Expected, ExpectedEvent, Line};
 pub use export::corpus_files;

@@ -1,7 +1,8 @@
 //! The rule texts: embedded, read, and ready to be shown or run.
 //!
 //! A rule is a heading `### E100L-G50-01 · title`, a list of `- key: value` lines, a statement, and examples:
-//! a fence `nc`, an optional fence `toml`, a fence `trace`, with the paragraph in front of them.
+//! a fence `nc`, an optional fence `toml`, a fence `trace`, with the paragraph in front of them and, if a drawing
+//! is wanted, an image behind them.
 
 use crate::vocabulary::{AlarmName, RuleId, Setup, SetupError};
 
@@ -43,6 +44,24 @@ pub struct Example {
     pub trace: String,
     /// Line of the program's fence.
     pub line: usize,
+    /// The drawing of it, if one is wanted.
+    pub drawing: Option<Drawing>,
+}
+
+/// The drawing of an example: the image behind its trace, `![caption](path)`.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Drawing {
+    /// What it shows; the sequence names in it say which points it is about.
+    pub caption: String,
+    /// Its path, from the file with the rule.
+    pub path: String,
+}
+
+impl Drawing {
+    fn parse(line: &str) -> Option<Self> {
+        let (caption, path) = line.strip_prefix("![")?.strip_suffix(')')?.split_once("](")?;
+        Some(Self { caption: caption.to_owned(), path: path.to_owned() })
+    }
 }
 
 impl Example {
@@ -199,6 +218,7 @@ impl<'a> Reader<'a> {
                         setup: String::new(),
                         trace: String::new(),
                         line: number + 1,
+                        drawing: None,
                     });
                     prose.clear();
                 }
@@ -209,6 +229,17 @@ impl<'a> Reader<'a> {
                         return Err(self.fault(number, "a set-up or trace without program"));
                     };
                     *(if line == "```toml" { &mut example.setup } else { &mut example.trace }) = text;
+                }
+                _ if line.starts_with("![") => {
+                    let wanting = |example: &&mut Example| {
+                        !example.trace.is_empty() && example.drawing.is_none() && prose.trim().is_empty()
+                    };
+                    let Some(example) = rule.examples.last_mut().filter(wanting) else {
+                        return Err(self.fault(number, "a drawing that is not directly behind a trace"));
+                    };
+                    let drawing = Drawing::parse(line);
+                    example.drawing =
+                        Some(drawing.ok_or_else(|| self.fault(number, "a drawing without caption or path"))?);
                 }
                 _ => {
                     prose.push_str(line);
@@ -253,7 +284,7 @@ fn unescape(text: &str) -> Vec<u8> {
 #[cfg(test)]
 #[allow(clippy::expect_used, clippy::panic)]
 mod tests {
-    use super::{Reader, RuleText, unescape};
+    use super::{Drawing, Reader, RuleText, unescape};
 
     const RULE: &str = "# Chapter\n\n### E100L-G50-02 · Shift\n\n- source: section 4\n- basis: manual\n\
                         - level: core\n- alarms: offset_with_g50, axis_missing\n\nFirst.\n\nSecond.\n";
@@ -305,6 +336,20 @@ mod tests {
     }
 
     #[test]
+    fn a_drawing_belongs_to_the_example_before_it() {
+        let text = format!(
+            "{RULE}\n```nc\nM02\n```\n```trace\nend\n```\n\n![At N2](drawings/a.svg)\n\nNext.\n\n\
+             ```nc\nM30\n```\n```trace\nend\n```\n"
+        );
+        let rules = read(&text).expect("a rule");
+        let [first, second] = rules[0].examples.as_slice() else { panic!("two examples") };
+        let drawing = Drawing { caption: "At N2".to_owned(), path: "drawings/a.svg".to_owned() };
+        assert_eq!((first.drawing.as_ref(), second.drawing.as_ref()), (Some(&drawing), None));
+        assert_eq!(second.introduction, "Next.");
+        assert_eq!(rules[0].statement, "First.");
+    }
+
+    #[test]
     fn faults_name_the_line() {
         assert_eq!(fault(" · ", " - "), "3: heading without ` · `");
         assert_eq!(fault("G50-02", "NONE-02"), "3: unknown rule id");
@@ -323,5 +368,16 @@ mod tests {
         assert_eq!(behind("```nc\nM02\n"), "12: a fence that does not end");
         assert_eq!(behind("```nc\nM02\n```"), "12: a program without trace");
         assert_eq!(behind("```trace\nend\n```"), "12: a set-up or trace without program");
+        let example = "```nc\nM02\n```\n```trace\nend\n```\n";
+        assert_eq!(behind("![a](b)"), "12: a drawing that is not directly behind a trace");
+        assert_eq!(
+            behind(&format!("{example}Why.\n![a](b)")),
+            "19: a drawing that is not directly behind a trace"
+        );
+        assert_eq!(
+            behind(&format!("{example}![a](b)\n![a](b)")),
+            "19: a drawing that is not directly behind a trace"
+        );
+        assert_eq!(behind(&format!("{example}![a]")), "18: a drawing without caption or path");
     }
 }
