@@ -31,6 +31,18 @@ pub fn within_wide(size: i128) -> i128 {
     value
 }
 
+/// A factor of products whose values are asserted: at most 8 in size for the model checker, which has to multiply
+/// them out, at most `size` for the property tests.
+#[must_use]
+pub fn factor(size: i128) -> i128 {
+    #[cfg(stand_in)]
+    let value = kani::between(-size, size);
+    #[cfg(not(stand_in))]
+    let value = i128::from(kani::any::<i8>() >> 4);
+    kani::assume(-size <= value && value <= size);
+    value
+}
+
 /// One of a few values.
 #[must_use]
 pub fn one_of<T: Copy>(values: &[T]) -> T {

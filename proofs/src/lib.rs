@@ -17,6 +17,6 @@ macro_rules! families {
 }
 
 families! {
-    draw decimals feeds frame labels limits modal places reading_sets roots rounding rule_sets signs speeds tools
-    turns units words
+    draw corners decimals feeds frame labels limits modal noses places reading_sets roots rounding rule_sets sides
+    signs speeds tools turns units words
 }

@@ -1,7 +1,7 @@
 //! Theorems about the exact signs of plane geometry: sides, lines, quadrants.
 
 use turnspec::engine::arithmetic::plane::{
-    Direction, Point, cross, difference, dot, quadrant, square, square_distance,
+    Direction, Point, cross, difference, dot, left, quadrant, square, square_distance,
 };
 
 use crate::draw::within;
@@ -30,11 +30,6 @@ fn small() -> i128 {
 
 fn small_direction() -> Direction {
     (small(), small())
-}
-
-/// A direction turned a quarter to the left.
-fn left((z, x): Direction) -> Direction {
-    (-x, z)
 }
 
 fn opposite((z, x): Direction) -> Direction {
@@ -131,7 +126,7 @@ theorems! {
     }
 
     /// A quarter turn counter-clockwise lies to the left and neither ahead nor back.
-    /// Of: `plane::cross`, `plane::dot`, `plane::square`
+    /// Of: `plane::left`, `plane::cross`, `plane::dot`, `plane::square`
     /// Assumes: directions of at most 8.
     /// Rules: E100L-CIRC-02, E100L-ANG-04
     #[unwind(2)]

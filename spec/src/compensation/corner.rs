@@ -6,6 +6,7 @@ use super::leg::{Course, Leg};
 use super::reach::Reach;
 use super::{arcs, line_and_arc, lines};
 use crate::fault::{Outcome, fail};
+use crate::integer::nose::touches_both;
 use crate::quantity::Exact;
 use crate::vocabulary::rule_ids::*;
 use crate::vocabulary::{AlarmName, RuleId, RuleSet};
@@ -36,7 +37,7 @@ fn along_one_line(i: &Leg, j: &Leg, onward: bool) -> Outcome<(Reach, RuleId)> {
     let (offset, next) = (i.nose.offset(), j.nose.offset());
     let straight = both_straight(i, j);
     // E100L-NRC-30 and E100L-NRC-49: straight on with one offset. E100L-NRC-31: back on the other side.
-    let touches_both = offset == if onward { next } else { -next };
+    let touches_both = touches_both(offset, next, onward);
     let rule = match (onward, touches_both) {
         (true, true) if straight => NRC_30,
         (true, true) => NRC_49,

@@ -5,7 +5,7 @@ use crate::controls::e100l::units;
 use crate::emission::Emission;
 use crate::fault::{Outcome, fail};
 use crate::frame::{Amounts, TravelLimit};
-use crate::integer::Limited;
+use crate::integer::{Limited, nose};
 use crate::path::{Point, feed_path};
 use crate::state::State;
 use crate::vocabulary::rule_ids::*;
@@ -38,21 +38,18 @@ impl Spot {
     /// The end at which the nose centre is this far from P. `to_centre` leads from the tip to the nose centre.
     pub fn reached(&self, reach: &Reach, to_centre: Point) -> Ending {
         let centre = reach.from(self.program);
-        let tip = (centre.0.saturating_sub(to_centre.0), centre.1.saturating_sub(to_centre.1));
-        self.ending(tip, to_centre)
+        self.ending(nose::tip(centre, to_centre), to_centre)
     }
 
     /// The end without a motion: the tip stays where the axes are.
     pub fn kept(&self, axes: Point, to_centre: Point) -> Ending {
-        let tip = (self.program.0 + axes.0 - self.machine.0, self.program.1 + axes.1 - self.machine.1);
-        self.ending(tip, to_centre)
+        self.ending(tip_at(axes, self.program, self.machine), to_centre)
     }
 
     fn ending(&self, tip: Point, to_centre: Point) -> Ending {
-        let displaced = |tip: i64, program: i64, machine: i64| tip.saturating_add(machine - program);
         let machine = (
-            displaced(tip.0, self.program.0, self.machine.0),
-            displaced(tip.1, self.program.1, self.machine.1),
+            nose::machine(tip.0, self.program.0, self.machine.0),
+            nose::machine(tip.1, self.program.1, self.machine.1),
         );
         Ending { tip, to_centre, machine }
     }
@@ -90,7 +87,7 @@ impl Ending {
     fn show(&self, motion: &mut Motion) {
         let position = |point: Point| PlanePosition { x: Length(point.0), z: Length(point.1) };
         motion.tip = Some(position(self.tip));
-        motion.nose = Some(position((self.tip.0 + self.to_centre.0, self.tip.1 + self.to_centre.1)));
+        motion.nose = Some(position(nose::centre(self.tip, self.to_centre)));
         motion.machine.x = Length(self.machine.0);
         motion.machine.z = Length(self.machine.1);
     }
@@ -143,14 +140,18 @@ fn motion_of(action: &mut Action) -> Option<&mut Motion> {
     }
 }
 
+/// The tip where the axes are, from the programmed point in both coordinates.
+fn tip_at(axes: Point, program: Point, machine: Point) -> Point {
+    (nose::tip_at(axes.0, program.0, machine.0), nose::tip_at(axes.1, program.1, machine.1))
+}
+
 /// A motion of C or W alone in compensation: tip and nose as they are when its turn comes.
 pub fn at_rest(mut event: Emission, axes: Point) -> Emission {
     if let (Some(to_centre), Some(motion)) = (event.at_rest, motion_of(&mut event.action)) {
         let of = |x: Length, z: Length| (x.0, z.0);
         let program = of(motion.program.x, motion.program.z);
         let machine = of(motion.machine.x, motion.machine.z);
-        let tip = (program.0 + axes.0 - machine.0, program.1 + axes.1 - machine.1);
-        Ending { tip, to_centre, machine: axes }.show(motion);
+        Ending { tip: tip_at(axes, program, machine), to_centre, machine: axes }.show(motion);
     }
     event
 }

@@ -1,6 +1,7 @@
 //! Side, radius and centre of the nose (E100L-NRC-01, E100L-NRC-02, E100L-NRC-04, E100L-NRC-05).
 
 use crate::controls::e100l::g_codes::GGroup;
+use crate::integer::nose;
 use crate::path::Point;
 use crate::state::State;
 
@@ -34,14 +35,11 @@ impl Nose {
         };
         // VNSRX and VNSRZ are both lengths of the nose circle: radius values.
         let (x, z) = state.memory.nose_radii.get(usize::from(state.nose)).copied().unwrap_or_default();
-        Some(Self { side, radius: x.abs().max(z.abs()), to_centre: (2 * x, z) })
+        Some(Self { side, radius: nose::radius(x, z), to_centre: nose::to_centre(x, z) })
     }
 
     /// s·R: how far the nose centre is to the left of the contour.
     pub fn offset(&self) -> i64 {
-        match self.side {
-            Side::Left => self.radius,
-            Side::Right => -self.radius,
-        }
+        nose::offset(self.side == Side::Left, self.radius)
     }
 }

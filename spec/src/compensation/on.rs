@@ -10,6 +10,7 @@ use super::start_up;
 use super::stream::Stream;
 use crate::emission::Emission;
 use crate::fault::Outcome;
+use crate::integer::between::is_too_long;
 use crate::path::{Point, Vector};
 use crate::state::State;
 use crate::vocabulary::rule_ids::*;
@@ -98,8 +99,8 @@ impl On {
 
     /// A block without X/Z motion has ended (E100L-NRC-22, E100L-NRC-43, E100L-NRC-44).
     pub fn pass(mut self, stream: &mut Stream, state: &State) -> Outcome<Self> {
-        let one_more = matches!(self.waiting, Waiting::Nothing(..)) || self.one_between;
-        if !one_more {
+        let waits = !matches!(self.waiting, Waiting::Nothing(..));
+        if !is_too_long(waits, self.one_between) {
             self.one_between = true;
             return Ok(self.hold(stream));
         }

@@ -4,9 +4,11 @@
 //! nor wraps there.
 
 mod amounts;
+pub mod between;
 pub mod decimal_code;
 mod digits;
 mod limit;
+pub mod nose;
 pub mod tool;
 pub mod turn;
 

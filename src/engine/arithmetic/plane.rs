@@ -3,7 +3,8 @@
 //!
 //! Points are latched coordinates of at most 2^56 in size: words reach 2^37, and lines meet no further than their
 //! smallest angle allows. Directions are in half nanometres, twice Z and the diameter X, at most 2^58 in size;
-//! sums of their products stay below 2^118.
+//! sums of their products stay below 2^118. Those of radius compensation are at most 2^60 in size, and the way from one
+//! centre to another at most 2^61; sums of their products stay below 2^124.
 
 /// A point in program coordinates, X as a diameter.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -40,6 +41,14 @@ pub fn difference(to: Point, from: Point) -> Direction {
     (2 * (i128::from(to.z) - i128::from(from.z)), i128::from(to.x) - i128::from(from.x))
 }
 
+/// A direction less another one: with the ways from two centres to one point, the way from the first centre to the
+/// second.
+#[inline]
+#[must_use]
+pub fn minus(first: Direction, second: Direction) -> Direction {
+    (first.0 - second.0, first.1 - second.1)
+}
+
 /// Square of the distance of two points.
 #[must_use]
 pub fn square_distance(a: Point, b: Point) -> i128 {
@@ -70,6 +79,14 @@ pub fn dot(first: Direction, second: Direction) -> i128 {
 #[must_use]
 pub fn left((z, x): Direction) -> Direction {
     (-x, z)
+}
+
+/// The direction of travel along an arc at a point from its centre; `turn` is 1 counter-clockwise, -1 clockwise.
+#[inline]
+#[must_use]
+pub fn tangent(from_centre: Direction, turn: i128) -> Direction {
+    let (z, x) = left(from_centre);
+    (turn * z, turn * x)
 }
 
 /// A direction of at most 2^60 in each component: what is beyond lies out of the range of every address, and the

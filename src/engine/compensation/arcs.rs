@@ -4,7 +4,7 @@
 //! difference of the radii of the nose centre, C lies from the first centre at
 //! ((S T + D²) E ± √((S² - D²)(D² - T²)) left(E)) / (2 D²), on the side of E on which the programmed point is.
 
-use crate::engine::arithmetic::plane::{Direction, cross, left, square};
+use crate::engine::arithmetic::plane::{Direction, cross, left, minus, square};
 use crate::engine::exact::{Formula, Real, SlowPaths, sign};
 
 use super::contour::Circle;
@@ -21,8 +21,7 @@ struct Pair {
 impl Pair {
     /// From the first centre to the second.
     fn centres(&self) -> Direction {
-        let ((z, x), (other_z, other_x)) = (self.first.from_centre, self.second.from_centre);
-        (z - other_z, x - other_x)
+        minus(self.first.from_centre, self.second.from_centre)
     }
 
     /// Sum and difference of the radii.

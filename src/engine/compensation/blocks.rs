@@ -4,6 +4,7 @@
 use turnspec_oracle::vocabulary::{ReadingSet, Sink};
 
 use crate::engine::Interpreter;
+use crate::engine::arithmetic::idle::IdleBlocks;
 use crate::engine::arithmetic::plane::Direction;
 use crate::engine::cite::{self, Cites};
 use crate::engine::fault::Fault;
@@ -82,15 +83,12 @@ impl Interpreter<'_> {
     }
 
     fn count_idle_block(&mut self, sink: &mut impl Sink) -> Result<(), Fault> {
-        self.compensation.idle_blocks += 1;
-        if self.compensation.waiting.is_some() {
-            if self.compensation.idle_blocks < 2 {
-                return Ok(());
-            }
-            self.end_waiting(Next::IdleBlocks, sink)?;
+        let waits = self.compensation.waiting.is_some();
+        self.compensation.idle_blocks = self.compensation.idle_blocks.more(waits);
+        if self.compensation.idle_blocks == IdleBlocks::One {
+            return Ok(());
         }
-        // With none waiting the count says nothing any more.
-        self.compensation.idle_blocks = 2;
+        self.end_waiting(Next::IdleBlocks, sink)?;
         self.release(sink);
         self.compensation.extra = Some(self.extra_motion());
         Ok(())

@@ -5,7 +5,8 @@
 
 use turnspec_oracle::vocabulary::Sense;
 
-use crate::engine::arithmetic::plane::{Direction, Point, bounded, difference, left, square};
+use crate::engine::arithmetic::nose;
+use crate::engine::arithmetic::plane::{Direction, Point, bounded, difference, tangent};
 
 /// A line or an arc.
 #[derive(Clone, Copy, Debug)]
@@ -47,8 +48,7 @@ pub struct Circle {
 impl Circle {
     /// Whether the nose does not fit into it, or it has no direction there (E100L-NRC-48).
     pub fn is_too_small(self) -> bool {
-        let radius = square(self.from_centre);
-        radius == 0 || self.inward > 0 && self.inward * self.inward > radius
+        nose::is_too_large(self.inward, self.from_centre)
     }
 }
 
@@ -82,14 +82,14 @@ impl Default for Contour {
 impl Contour {
     /// The signed distance of the nose centre to the left of the element, in half nanometres.
     pub fn offset(&self) -> i128 {
-        2 * self.side * i128::from(self.radius)
+        nose::offset(self.side, self.radius)
     }
 
     /// Its direction of travel where it begins.
     pub fn begin_tangent(&self) -> Direction {
         match self.shape {
             Shape::Line(travel) => travel,
-            Shape::Arc { start, turn, .. } => turned(start, turn),
+            Shape::Arc { start, turn, .. } => tangent(start, turn),
         }
     }
 
@@ -97,7 +97,7 @@ impl Contour {
     pub fn end_tangent(&self) -> Direction {
         match self.shape {
             Shape::Line(travel) => travel,
-            Shape::Arc { end, turn, .. } => turned(end, turn),
+            Shape::Arc { end, turn, .. } => tangent(end, turn),
         }
     }
 
@@ -130,10 +130,4 @@ impl Contour {
     fn circle(&self, from_centre: Direction, turn: i128) -> End {
         End::Arc(Circle { from_centre, inward: turn * self.offset() })
     }
-}
-
-/// The tangent of a circle at a point from its centre.
-fn turned(from_centre: Direction, turn: i128) -> Direction {
-    let (z, x) = left(from_centre);
-    (turn * z, turn * x)
 }

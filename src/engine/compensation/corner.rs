@@ -3,8 +3,8 @@
 //!
 //! Parallel or not, same or opposite, one common point or none: all of it is decided exactly.
 
-use std::cmp::Ordering;
-
+pub use crate::engine::arithmetic::meeting::Meeting;
+use crate::engine::arithmetic::nose::touches_both;
 use crate::engine::arithmetic::plane::{Direction, Point, cross, dot, square};
 use crate::engine::cite::{self, Cites};
 use crate::engine::exact::{Formula, Real, SlowPaths, round};
@@ -124,7 +124,7 @@ impl Corner {
 /// The rule of a corner of parallel directions; the nose stays in contact with the first element.
 fn parallel(before: &Contour, after: &Contour, same: bool) -> Option<Cites> {
     let lines = !before.is_arc() && !after.is_arc();
-    let touches = before.offset() == if same { after.offset() } else { -after.offset() };
+    let touches = touches_both(before.offset(), after.offset(), same);
     match (touches, same) {
         (true, true) => Some(if lines { cite::NRC_30 } else { cite::NRC_49 }),
         (true, false) => Some(cite::NRC_31),
@@ -149,26 +149,6 @@ impl Formula for Coordinate<'_> {
             Along::Z => whole.over(&R::integer(2, precision)),
             Along::X => whole,
         }
-    }
-}
-
-/// How two offset elements lie to one another.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Meeting {
-    /// They cross.
-    Crossing,
-    /// They have one common point.
-    Touching,
-}
-
-impl Meeting {
-    /// The meeting by the signs of the gaps that must not be negative; none if one is.
-    pub fn of(gaps: impl IntoIterator<Item = Ordering>) -> Option<Self> {
-        gaps.into_iter().try_fold(Self::Crossing, |meeting, gap| match gap {
-            Ordering::Less => None,
-            Ordering::Equal => Some(Self::Touching),
-            Ordering::Greater => Some(meeting),
-        })
     }
 }
 

@@ -19,6 +19,7 @@ pub use check::Change;
 
 use turnspec_oracle::vocabulary::Event;
 
+use super::arithmetic::idle::IdleBlocks;
 use super::arithmetic::plane::{Direction, Point};
 use contour::Contour;
 use waiting::Waiting;
@@ -53,7 +54,7 @@ pub struct Compensation {
     /// The last element, or what stands for it at the start-up: its v, and the imaginary line.
     last: Contour,
     /// Blocks without X/Z motion since the motion waits.
-    idle_blocks: u8,
+    idle_blocks: IdleBlocks,
     /// Whether the block in progress has an X/Z motion, or is the start-up block.
     moved: bool,
     /// The return to the corner that the next element will ask for, when no motion waits.
@@ -71,7 +72,7 @@ impl Default for Compensation {
             imaginary: None,
             waiting: None,
             last: Contour::default(),
-            idle_blocks: 0,
+            idle_blocks: IdleBlocks::None,
             moved: false,
             extra: None,
             holding: false,

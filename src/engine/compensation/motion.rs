@@ -6,6 +6,8 @@ use turnspec_oracle::vocabulary::{AlarmName, Angle, Feed, Length, Motion, Readin
 
 use crate::engine::Interpreter;
 use crate::engine::arithmetic::frame::to_machine;
+use crate::engine::arithmetic::idle::IdleBlocks;
+use crate::engine::arithmetic::nose::nose;
 use crate::engine::arithmetic::plane::Point;
 use crate::engine::cite::{self, Cites};
 use crate::engine::fault::Fault;
@@ -234,7 +236,7 @@ impl Interpreter<'_> {
     fn begin_to_wait(&mut self, waiting: Waiting) {
         let compensation = &mut self.compensation;
         compensation.waiting = Some(waiting);
-        compensation.idle_blocks = 0;
+        compensation.idle_blocks = IdleBlocks::None;
         compensation.moved = true;
         compensation.holding = true;
         compensation.extra = None;
@@ -267,7 +269,6 @@ impl Interpreter<'_> {
 
     /// The nose radius in force, and the way from the tip to the nose centre (E100L-NRC-04, E100L-NRC-05).
     fn nose(&self) -> (i64, Point) {
-        let [x, z] = self.state.nose_radii.get(usize::from(self.state.nose)).copied().unwrap_or_default();
-        (x.abs().max(z.abs()), Point { x: 2 * x, z })
+        nose(self.state.nose_radii.get(usize::from(self.state.nose)).copied().unwrap_or_default())
     }
 }

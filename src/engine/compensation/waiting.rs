@@ -7,6 +7,7 @@ use turnspec_oracle::vocabulary::{
 };
 
 use crate::engine::Interpreter;
+use crate::engine::arithmetic::idle::IdleBlocks;
 use crate::engine::arithmetic::limit::{Limited, limited};
 use crate::engine::arithmetic::plane::{Direction, Point};
 use crate::engine::cite::{self, Cites};
@@ -141,7 +142,7 @@ impl Interpreter<'_> {
 
     /// One block without X/Z motion between two elements (E100L-NRC-43).
     fn idle_cites(&self) -> Cites {
-        Cites::default().and_if(self.compensation.idle_blocks == 1, cite::NRC_43)
+        Cites::default().and_if(self.compensation.idle_blocks == IdleBlocks::One, cite::NRC_43)
     }
 
     /// The latched tip in program coordinates of the block of a motion.
@@ -189,8 +190,8 @@ impl Interpreter<'_> {
 
 /// Moves the X and Z of a machine position by a displacement.
 pub fn displace(machine: &mut Amounts, by: Point) {
-    machine[X] = machine[X].saturating_add(by.x);
-    machine[Z] = machine[Z].saturating_add(by.z);
+    let Point { x, z } = Point { x: machine[X], z: machine[Z] }.plus(by);
+    (machine[X], machine[Z]) = (x, z);
 }
 
 /// A point as an event shows it.
