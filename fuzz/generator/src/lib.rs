@@ -18,6 +18,7 @@ mod chamfer;
 mod choices;
 mod codes;
 mod companions;
+mod compensation;
 mod environment;
 mod estimate;
 mod expression;

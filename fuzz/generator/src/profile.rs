@@ -18,7 +18,7 @@ use crate::tape;
 /// | control characters, TAB and CR | `tape-code` |
 /// | M00 | `optional-stop` |
 /// | G13, G110 | `turret` |
-/// | G18, G40, G64, G65 | `aux` |
+/// | G64, G65 | `aux` |
 /// | M152, M153 | `m-tool` |
 /// | `=` before a single number | `expression` |
 /// | zero offset of the set-up | `zero-shift` |

@@ -2,6 +2,7 @@
 //!
 //! A fault returns false when the set-up or the state does not let it happen.
 
+mod compensation;
 mod motion;
 mod state;
 mod text;
@@ -62,7 +63,7 @@ impl Builder<'_, '_, '_> {
     /// Adds the blocks of a fault.
     pub(crate) fn fault(&mut self, fault: Fault) -> bool {
         self.begin();
-        self.motion_fault(fault) || self.state_fault(fault) || self.text_fault(fault)
+        self.compensation_fault(fault) || self.motion_fault(fault) || self.state_fault(fault) || self.text_fault(fault)
     }
 
     /// Adds one block of text a line; false when the tape code lacks a character of them.
