@@ -4,6 +4,7 @@ use turnspec_oracle::vocabulary::rule_ids::*;
 use turnspec_oracle::vocabulary::{AlarmName, Place, Sink};
 
 use super::Interpreter;
+use super::block::Before;
 use super::fault::Fault;
 use super::planted::{self, Bug};
 use super::words::{Address, Slot, Words};
@@ -60,7 +61,9 @@ impl Interpreter<'_> {
         }
         self.evaluate(slot, sink)?;
         let words = &slot.words;
-        let plan = self.check(&slot.parsed, words, motion, need.only_angle)?;
+        // The needing block moves, so that nothing is left over of an ended compensation.
+        let before = Before { motion, after_angle: need.only_angle, left_over: false };
+        let plan = self.check(&slot.parsed, words, before)?;
         self.fault_place = Some(need.place);
         if need.chamfer && plan.motion != 1 {
             return Fault::raise(AlarmName::ChamferCorner, ANG_07);

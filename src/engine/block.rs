@@ -68,15 +68,21 @@ const SKIP_TAKES: u32 =
 const LIMIT_TAKES: u32 = Address::set(&[Address::PZ, Address::PW]);
 const SHIFT_TAKES: u32 = Address::set(&[Address::X, Address::Z, Address::C, Address::W]);
 
+/// What the blocks before one leave to it.
+#[derive(Clone, Copy)]
+pub(super) struct Before {
+    /// The motion mode.
+    pub motion: u16,
+    /// Whether the block before it is A-only.
+    pub after_angle: bool,
+    /// Whether a displacement of ended compensation is left over.
+    pub left_over: bool,
+}
+
 impl Interpreter<'_> {
-    /// Checks a block that follows a motion mode, and tells what it will do.
-    pub(super) fn check(
-        &self,
-        parsed: &Parsed,
-        words: &Words,
-        motion_before: u16,
-        after_angle: bool,
-    ) -> Result<Plan, Fault> {
+    /// Checks a block, and tells what it will do.
+    pub(super) fn check(&self, parsed: &Parsed, words: &Words, before: Before) -> Result<Plan, Fault> {
+        let Before { motion: motion_before, after_angle, left_over } = before;
         let motion = words.g_codes().iter().copied().find(|code| *code <= 3).unwrap_or(motion_before);
         let one_shot = OneShot::of(words);
         check_alone(parsed, words)?;
@@ -101,7 +107,7 @@ impl Interpreter<'_> {
         }
         let compensation = self.compensation_change(words);
         check_functions(words, one_shot, arc, compensation)?;
-        self.check_compensation(words, one_shot, motion, compensation)?;
+        self.check_compensation(words, one_shot, (motion, compensation), left_over)?;
         let coordinate = words.has(Address::X) || words.has(Address::Z);
         let only_angle = free && !arc && words.has(Address::A) && !coordinate;
         Ok(Plan { one_shot, motion, moves, only_angle, compensation })

@@ -6,7 +6,7 @@ use turnspec_oracle::vocabulary::{Action, AlarmName, Duration, Ending, FrameCaus
 use super::Interpreter;
 use super::arithmetic::speed::thousandths;
 use super::arithmetic::{frame, turn};
-use super::block::{OneShot, Plan};
+use super::block::{Before, OneShot, Plan};
 use super::compensation::Change;
 use super::fault::Fault;
 use super::planted::{self, Bug};
@@ -17,8 +17,12 @@ impl Interpreter<'_> {
     /// Carries out an evaluated block.
     pub(super) fn carry_out(&mut self, slot: &Slot, sink: &mut impl Sink) -> Result<Option<Ending>, Fault> {
         let Slot { parsed, words, .. } = slot;
-        let after_angle = self.state.angle_target.is_some();
-        let plan = self.check(parsed, words, self.state.motion, after_angle)?;
+        let before = Before {
+            motion: self.state.motion,
+            after_angle: self.state.angle_target.is_some(),
+            left_over: self.compensation.is_left_over(),
+        };
+        let plan = self.check(parsed, words, before)?;
         for code in words.g_codes() {
             self.change_mode(*code, sink);
         }

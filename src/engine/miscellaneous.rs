@@ -66,8 +66,20 @@ impl Interpreter<'_> {
             if checked && stm.enabled && stm.m > stm.limit {
                 return Fault::raise(AlarmName::StmOver, STM_01);
             }
+            if code == 109 {
+                self.leave_plane(sink);
+            }
         }
         Ok(())
+    }
+
+    /// M109 leaves the planes of the C axis.
+    fn leave_plane(&mut self, sink: &mut impl Sink) {
+        if self.state.plane != 18 {
+            let previous = std::mem::replace(&mut self.state.plane, 18);
+            let group = const { Label::new("plane") };
+            self.emit_mode(sink, group, 18, previous, const { RuleSet::of(&[CRC_03]) });
+        }
     }
 
     fn m_code(&mut self, code: u16, words: &Words, plan: Plan, sink: &mut impl Sink) -> Result<(), Fault> {
@@ -112,11 +124,6 @@ impl Interpreter<'_> {
                     _ => {}
                 }
                 self.emit_aux(sink, code, codes::m_rules(code));
-                if code == 109 && self.state.plane != 18 {
-                    let previous = std::mem::replace(&mut self.state.plane, 18);
-                    let group = const { Label::new("plane") };
-                    self.emit_mode(sink, group, 18, previous, const { RuleSet::of(&[CRC_03]) });
-                }
             }
         }
         Ok(())

@@ -37,7 +37,7 @@ impl Interpreter<'_> {
         match self.compensation.phase {
             Phase::Starting => {
                 let kind = if self.state.motion == 0 { Kind::Rapid } else { Kind::Linear };
-                let cites = self.line_cites(Cites::default());
+                let cites = self.line_cites(Cites::default()).and_if(self.inch_block, cite::INCH_02);
                 let (x, z, w, c) = (None, None, None, None);
                 let readings = ReadingSet::default();
                 self.perform(Element { kind, x, z, w, c, cites, readings, limited: false }, sink)
@@ -96,7 +96,7 @@ impl Interpreter<'_> {
         Ok(())
     }
 
-    /// The return to the corner that the block in progress would make (E100L-NRC-46).
+    /// The return to the corner that the block in progress would make; it has none of its words (E100L-NRC-46).
     fn extra_motion(&mut self) -> Waiting {
         let rapid = self.state.motion == 0;
         let (kind, feed) = if rapid { (Kind::Rapid, None) } else { (Kind::Linear, Some(self.feed())) };
@@ -115,10 +115,8 @@ impl Interpreter<'_> {
 
     /// The rules of a line that its block has no words for.
     fn line_cites(&self, cites: Cites) -> Cites {
-        let cites = cites
-            .and(cite::COORD_03)
-            .and(if self.state.incremental { cite::ABS_02 } else { cite::ABS_01 })
-            .and_if(self.inch_block, cite::INCH_02);
+        let cites =
+            cites.and(cite::COORD_03).and(if self.state.incremental { cite::ABS_02 } else { cite::ABS_01 });
         if self.state.motion == 0 {
             cites.and(cite::G00_01)
         } else {

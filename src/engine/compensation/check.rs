@@ -40,13 +40,13 @@ impl Interpreter<'_> {
         &self,
         words: &Words,
         one_shot: OneShot,
-        motion: u16,
-        change: Change,
+        (motion, change): (u16, Change),
+        left_over: bool,
     ) -> Result<(), Fault> {
         let compensation = words.code_of(GGroup::Compensation);
         let plane = words.code_of(GGroup::Plane);
         let before = self.state.compensation;
-        if compensation.is_none() && plane.is_none() && before == 40 && !self.compensation.is_left_over() {
+        if compensation.is_none() && plane.is_none() && before == 40 && !left_over {
             return Ok(());
         }
         self.check_plane(plane, compensation, change)?;
@@ -64,7 +64,7 @@ impl Interpreter<'_> {
             {
                 Err(undefined(rules::NRC_20, "start_up"))
             }
-            OneShot::TorqueSkip if compensating || compensated || self.compensation.is_left_over() => {
+            OneShot::TorqueSkip if compensating || compensated || left_over => {
                 Err(undefined(rules::NRC_81, "G22"))
             }
             _ => Ok(()),

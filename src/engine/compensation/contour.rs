@@ -45,9 +45,10 @@ pub struct Circle {
 }
 
 impl Circle {
-    /// Whether the nose does not fit into it (E100L-NRC-48).
+    /// Whether the nose does not fit into it, or it has no direction there (E100L-NRC-48).
     pub fn is_too_small(self) -> bool {
-        self.inward > 0 && self.inward * self.inward > square(self.from_centre)
+        let radius = square(self.from_centre);
+        radius == 0 || self.inward > 0 && self.inward * self.inward > radius
     }
 }
 

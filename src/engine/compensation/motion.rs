@@ -86,7 +86,7 @@ impl Interpreter<'_> {
         self.compensation.last = self.contour(Shape::Line((-z, -x)));
         let role = Role::StartUp { imaginary: imaginary.is_some() };
         let way = (&start, &end, turn);
-        let waiting = self.waiting_motion(role, (element.kind, feed), way, cites, element.readings);
+        let waiting = self.waiting_motion(role, (element.kind, feed), way, cites, self.readings_of(element));
         self.compensation.phase = Phase::On;
         self.begin_to_wait(waiting);
         Ok(())
@@ -106,7 +106,7 @@ impl Interpreter<'_> {
         let travel = (element.kind, feed);
         if (start[X], start[Z]) == (end[X], end[Z]) {
             let cites = element.cites.and(cite::NRC_46);
-            let waiting = self.waiting_motion(Role::Return, travel, way, cites, element.readings);
+            let waiting = self.waiting_motion(Role::Return, travel, way, cites, self.readings_of(element));
             self.end_waiting(Next::Repetition, sink)?;
             self.release(sink);
             self.begin_to_wait(waiting);
@@ -126,7 +126,7 @@ impl Interpreter<'_> {
             return Fault::raise(AlarmName::CompensationArcTooSmall, rules::NRC_48);
         }
         let cites = element.cites.and(of_kind);
-        let waiting = self.waiting_motion(Role::Element, travel, way, cites, element.readings);
+        let waiting = self.waiting_motion(Role::Element, travel, way, cites, self.readings_of(element));
         if self.compensation.waiting.is_some() {
             self.end_waiting(Next::Element(&contour), sink)?;
         } else {
@@ -149,7 +149,7 @@ impl Interpreter<'_> {
         let start = self.arrive(element, feed, end);
         let linear = feed.is_some();
         let mut cites = element.cites.and(cite::NRC_07).and_if(linear, cite::NRC_42);
-        let mut readings = element.readings.union(self.inch_reading());
+        let mut readings = self.readings_of(element);
         let mut motion = self.motion_here(turn);
         motion.speed = self.motion_speed(motion.program.x.0, linear, &mut cites, &mut readings);
         let tip = Point { x: motion.program.x.0, z: motion.program.z.0 };
@@ -194,7 +194,7 @@ impl Interpreter<'_> {
         let mut start = self.arrive(element, feed, end);
         displace(&mut start, before);
         displace(&mut end, self.compensation.displacement);
-        let mut readings = element.readings.union(self.inch_reading());
+        let mut readings = self.readings_of(element);
         let mut motion = self.motion_here(turn);
         motion.machine.x = Length(end[X]);
         motion.machine.z = Length(end[Z]);
@@ -222,9 +222,8 @@ impl Interpreter<'_> {
         (kind, feed): (Kind, Option<Feed>),
         (start, end, turn): Way,
         mut cites: Cites,
-        readings: ReadingSet,
+        mut readings: ReadingSet,
     ) -> Waiting {
-        let mut readings = readings.union(self.inch_reading());
         let mut motion = self.motion_here(turn);
         motion.speed = self.motion_speed(motion.program.x.0, kind != Kind::Rapid, &mut cites, &mut readings);
         let limits = [X, Z].map(|axis| (self.state.negative_limits[axis], self.state.positive_limits[axis]));
@@ -255,8 +254,9 @@ impl Interpreter<'_> {
         }
     }
 
-    fn inch_reading(&self) -> ReadingSet {
-        if self.inch_block { self.known.inch } else { ReadingSet::default() }
+    /// The readings of an element's own, and that of the length words of its block.
+    fn readings_of(&self, element: &Element) -> ReadingSet {
+        if self.inch_block { element.readings.union(self.known.inch) } else { element.readings }
     }
 
     fn contour(&self, shape: Shape) -> Contour {
