@@ -167,6 +167,9 @@ impl<'b, 'c, 'd> Builder<'b, 'c, 'd> {
             }
             self.within_profile(ATTEMPTS, Self::next_block);
         }
+        if self.state.compensation.has_to_go_on() && self.choices.chance(92) {
+            self.within_profile(ATTEMPTS, Self::next_block);
+        }
         if fault != Some(Fault::NoProgramEnd) && !self.within_profile(ATTEMPTS, Self::ending) {
             self.raw(b"M02");
         }
@@ -313,6 +316,12 @@ impl<'b, 'c, 'd> Builder<'b, 'c, 'd> {
 
     /// A block that the block delete switch skips: whatever stands after the slash.
     fn skipped(&mut self) {
+        let named = self.choices.chance(30) && self.allows(Feature::SequenceName);
+        if let Some(name) = named.then(|| self.sequence_name()).flatten() {
+            let items = vec![Item::g(0), Item::whole("X", 5)];
+            self.lines.push(Line::Block(Block { delete: true, sequence: Some(name), items }));
+            return;
+        }
         let list: [&[u8]; 6] =
             [b"/G00 X5", b"/ G05 NONSENSE ))", b"/", b"/M02", b"/G00 (OPEN", b"/V1=V2/0 GOTO"];
         let allowed = if self.state.is_eia() { 1 } else { list.len() };

@@ -2,8 +2,8 @@
 
 use turnspec_oracle::vocabulary::{
     Angle, ArcOneCoordinate, AxisAmounts, ChamferLeg, Chamfering, Duration, Feature, FeedLength, Gear,
-    InchConversion, IncrementalAfterChamfer, Length, Limit, Readings, Setup, Speed, SpeedClamp,
-    TapeCode, ToolOffset, ToolOffsetSign, UnitSystem,
+    InchConversion, IncrementalAfterChamfer, Length, Limit, Readings, Setup, Speed, SpeedClamp, TapeCode,
+    ToolOffset, ToolOffsetSign, UnitSystem,
 };
 
 use crate::choices::Choices;

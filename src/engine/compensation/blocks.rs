@@ -8,6 +8,7 @@ use crate::engine::arithmetic::plane::Direction;
 use crate::engine::cite::{self, Cites};
 use crate::engine::fault::Fault;
 use crate::engine::motion::{Element, Kind};
+use crate::engine::planted::{self, Bug};
 use crate::engine::words::{Address, Words};
 
 use super::waiting::{Next, Role, Waiting};
@@ -35,6 +36,7 @@ impl Interpreter<'_> {
     /// A block that begins or ends compensation and had no motion of its own.
     pub(in crate::engine) fn complete_change(&mut self, sink: &mut impl Sink) -> Result<(), Fault> {
         match self.compensation.phase {
+            Phase::Starting if planted::is(Bug::StartUpWithoutWords) => Ok(()),
             Phase::Starting => {
                 let kind = if self.state.motion == 0 { Kind::Rapid } else { Kind::Linear };
                 let cites = self.line_cites(Cites::default()).and_if(self.inch_block, cite::INCH_02);
@@ -84,7 +86,8 @@ impl Interpreter<'_> {
     fn count_idle_block(&mut self, sink: &mut impl Sink) -> Result<(), Fault> {
         self.compensation.idle_blocks += 1;
         if self.compensation.waiting.is_some() {
-            if self.compensation.idle_blocks < 2 {
+            let bound = if planted::is(Bug::ThirdIdleBlock) { 3 } else { 2 };
+            if self.compensation.idle_blocks < bound {
                 return Ok(());
             }
             self.end_waiting(Next::IdleBlocks, sink)?;

@@ -6,6 +6,7 @@
 use turnspec_oracle::vocabulary::Sense;
 
 use crate::engine::arithmetic::plane::{Direction, Point, bounded, difference, left, square};
+use crate::engine::planted::{self, Bug};
 
 /// A line or an arc.
 #[derive(Clone, Copy, Debug)]
@@ -48,7 +49,8 @@ impl Circle {
     /// Whether the nose does not fit into it, or it has no direction there (E100L-NRC-48).
     pub fn is_too_small(self) -> bool {
         let radius = square(self.from_centre);
-        radius == 0 || self.inward > 0 && self.inward * self.inward > radius
+        let reach = self.inward * self.inward + i128::from(planted::is(Bug::InsideArcOfTheNose));
+        radius == 0 || self.inward > 0 && reach > radius
     }
 }
 

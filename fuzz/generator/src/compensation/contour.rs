@@ -195,7 +195,7 @@ impl Builder<'_, '_, '_> {
             self.change_side(&mut items);
         }
         self.feed_if_needed(&mut items);
-        let from = self.from_centre(start, mode, starting);
+        let from = self.spoke_to_start(start, mode, starting);
         let centre = start.minus(from);
         let to = self.end_spoke(from);
         let arc = if self.choices.chance(30) {
@@ -218,7 +218,7 @@ impl Builder<'_, '_, '_> {
     }
 
     /// The way from the centre of an arc to its start.
-    fn from_centre(&mut self, start: Point, mode: Mode, starting: Starting) -> Point {
+    fn spoke_to_start(&mut self, start: Point, mode: Mode, starting: Starting) -> Point {
         let length = self.arc_radius();
         let last = self.state.compensation.last.clone();
         let sense = if mode == Mode::CounterClockwise { 1.0 } else { -1.0 };

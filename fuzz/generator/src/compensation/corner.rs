@@ -33,13 +33,7 @@ struct End {
 
 impl Element {
     /// A line, or an arc about a centre.
-    pub fn new(
-        from: Point,
-        to: Point,
-        centre: Option<(Point, Mode)>,
-        offset: f64,
-        to_centre: Point,
-    ) -> Self {
+    pub fn new(from: Point, to: Point, centre: Option<(Point, Mode)>, offset: f64, to_centre: Point) -> Self {
         let Some((centre, mode)) = centre else { return Self::line(to.minus(from), offset, to_centre) };
         let sense = if mode == Mode::CounterClockwise { 1.0 } else { -1.0 };
         let (start, end) = (centre.minus(from), centre.minus(to));

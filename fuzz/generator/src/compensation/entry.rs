@@ -128,8 +128,7 @@ impl Builder<'_, '_, '_> {
         let compensation = &mut self.state.compensation;
         if ends {
             let last = compensation.last.take();
-            let fits = compensation.idle > 1
-                || last.is_none_or(|last| last.meets_line(direction));
+            let fits = compensation.idle > 1 || last.is_none_or(|last| last.meets_line(direction));
             compensation.misfit |= !fits;
         } else {
             let (offset, to_centre) = (compensation.offset(), compensation.to_centre());

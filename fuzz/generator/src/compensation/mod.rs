@@ -92,6 +92,12 @@ impl Compensation {
         self.side != Side::Off
     }
 
+    /// Whether the program must not end here: a start-up has no element yet.
+    #[must_use]
+    pub fn has_to_go_on(&self) -> bool {
+        self.starting
+    }
+
     /// The amounts of the active nose, X and Z in nanometres.
     fn amounts(&self) -> [i64; 2] {
         self.radii.get(&self.nose).copied().unwrap_or_default()
@@ -102,6 +108,12 @@ impl Compensation {
     pub fn radius(&self) -> i64 {
         let [x, z] = self.amounts();
         x.abs().max(z.abs())
+    }
+
+    /// How far along Z the tip is from the programmed point at the end of a line along Z, in nanometres.
+    #[must_use]
+    pub fn tip_aside(&self) -> i64 {
+        -self.amounts()[1]
     }
 
     /// How far the nose centre lies to the left of an element.
@@ -160,7 +172,7 @@ impl Builder<'_, '_, '_> {
     pub(crate) fn compensated_kind(&mut self) -> Kind {
         let Self { choices, profile, state, .. } = self;
         // A start-up bears one block without X/Z motion.
-        let bound = state.compensation.starting && (state.compensation.idle > 0 || choices.chance(75));
+        let bound = state.compensation.starting && (state.compensation.idle > 0 || choices.chance(80));
         let list = if bound { ELEMENTS } else { KINDS };
         let list: Vec<_> = list.iter().copied().filter(|(_, kind)| kind.is_within(profile)).collect();
         if list.is_empty() { Kind::Rapid } else { choices.weighted(&list) }

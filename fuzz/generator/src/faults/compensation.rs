@@ -4,6 +4,7 @@ use super::Fault;
 use crate::builder::Builder;
 use crate::compensation::Side;
 use crate::program::Item;
+use crate::state::Axis;
 
 impl Builder<'_, '_, '_> {
     /// Adds blocks with this fault.
@@ -14,7 +15,10 @@ impl Builder<'_, '_, '_> {
             Fault::CompensationNotLinear => self.outside_lines(),
             Fault::CompensationStartUp => self.without_element(),
             Fault::CompensationImaginaryPoint => {
-                let list: &[&str] = if on {
+                if self.choices.chance(40) {
+                    self.in_force("");
+                }
+                let list: &[&str] = if self.state.compensation.is_on() {
                     &["G40 G01 K0 F1", "G00 G40 X5 I0 K0", "G01 G40 I=0 F1"]
                 } else {
                     &["G18 G42 G01 X5 K0 F1", "G41 G00 I0", "G00 G42 Z5 I0 K0"]
@@ -35,13 +39,17 @@ impl Builder<'_, '_, '_> {
                 if !on {
                     self.in_force("");
                 }
-                let list: &[&str] = if joined { &["G17", "G18", "G119 X5"] } else { &["G18", "G18 G01 X1 F1"] };
+                let list: &[&str] =
+                    if joined { &["G17", "G18", "G119 X5"] } else { &["G18", "G18 G01 X1 F1"] };
                 self.one_of(list)
+            }
+            Fault::TravelLimitNegative | Fault::TravelLimitPositive if on && self.choices.chance(60) => {
+                self.tip_beyond_limit()
             }
             Fault::CAxisNotJoined if !joined && self.choices.chance(40) => {
                 self.one_of(&["G17", "G119", "G17 G42 X5", "G40 G17"])
             }
-            Fault::NotModelled if self.choices.chance(15) => {
+            Fault::NotModelled if self.choices.chance(40) => {
                 if on {
                     self.blocks(&["G40 G00"]);
                 }
@@ -73,8 +81,10 @@ impl Builder<'_, '_, '_> {
 
     /// A beginning or an end in G02 or G03, the code written or in force; a rounding as long as its line.
     fn outside_lines(&mut self) -> bool {
-        let on = self.state.compensation.is_on();
-        let list: &[&str] = match on {
+        if self.choices.chance(40) {
+            self.in_force("");
+        }
+        let list: &[&str] = match self.state.compensation.is_on() {
             true => &["G40 G02 X5 Z5 L50 F1", "G03 G40", "G02 G40 G04 F1", "G91 G03 X6 Z3 L9 F1\nG40"],
             false => &["G18 G42 G02 X5 Z5 L50 F1", "G03 G41", "G91 G02 X6 Z3 L9 F1\nG41 X1"],
         };
@@ -123,10 +133,8 @@ impl Builder<'_, '_, '_> {
         let large = 10_000 * finest;
         self.travel(&[1], &[("Z", -large)]);
         if self.choices.chance(50) {
-            return self.travel(
-                &[sense, other],
-                &[("X", sign * 2 * large), ("Z", -large), ("I", sign * large)],
-            );
+            return self
+                .travel(&[sense, other], &[("X", sign * 2 * large), ("Z", -large), ("I", sign * large)]);
         }
         let radius = self.state.compensation.radius() * self.choices.within(11, 19) / 10;
         self.travel(&[sense], &[("X", sign * 2 * radius), ("Z", -radius), ("I", sign * radius)]);
@@ -144,9 +152,24 @@ impl Builder<'_, '_, '_> {
         self.travel(&[sense], &[("X", 2 * radius), ("Z", -radius), ("L", radius)])
     }
 
+    /// A limit along Z between the programmed point and the tip at the end of a line.
+    fn tip_beyond_limit(&mut self) -> bool {
+        let tip = self.state.compensation.tip_aside();
+        if tip == 0 || self.state.is_eia() {
+            return false;
+        }
+        let (name, direction) = if tip < 0 { ("VNVLZ", -1) } else { ("VPVLZ", 1) };
+        let leg = 5_000 * self.state.units.finest();
+        let limit = self.state.machine[Axis::Z as usize] + 2 * direction * leg + tip / 2;
+        let number = self.state.units.write_length(limit);
+        self.blocks(&[&format!("{name}={}", number.text())]);
+        (0..3).all(|_| self.travel(&[1], &[("Z", direction * leg)]))
+    }
+
     /// What the manual says nothing of.
     fn not_described(&mut self) -> bool {
-        if !self.state.compensation.is_on() {
+        let forced = self.choices.chance(50) && self.with_nose();
+        if !forced && !self.state.compensation.is_on() {
             return self.one_of(&[
                 "G18 G42 G91 G01 X2 F1\nG40",
                 "G18 G41 G00\nG40 Z5",
