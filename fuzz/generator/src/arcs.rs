@@ -33,7 +33,7 @@ impl Builder<'_, '_, '_> {
         let mut items = Vec::new();
         self.companions(&mut items);
         self.feed_if_needed(&mut items);
-        if self.state.compensation.left_over {
+        if self.state.compensation.left_over && !self.choices.chance(6) {
             return self.line(Mode::Linear);
         }
         let start = self.present();

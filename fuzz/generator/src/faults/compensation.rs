@@ -43,7 +43,9 @@ impl Builder<'_, '_, '_> {
                     if joined { &["G17", "G18", "G119 X5"] } else { &["G18", "G18 G01 X1 F1"] };
                 self.one_of(list)
             }
-            Fault::TravelLimitNegative | Fault::TravelLimitPositive if on && self.choices.chance(60) => {
+            Fault::TravelLimitNegative | Fault::TravelLimitPositive
+                if self.has_noses() && self.choices.chance(50) =>
+            {
                 self.tip_beyond_limit()
             }
             Fault::CAxisNotJoined if !joined && self.choices.chance(40) => {
@@ -58,7 +60,7 @@ impl Builder<'_, '_, '_> {
                 }
                 self.one_of(&["G17 G41 X5", "G119 G42", "G17\nG42 G00 Z1"])
             }
-            Fault::Unspecified if self.choices.chance(40) => self.not_described(),
+            Fault::Unspecified if self.choices.chance(55) => self.not_described(),
             _ => false,
         }
     }
@@ -100,6 +102,11 @@ impl Builder<'_, '_, '_> {
         let motion = self.choices.pick(&["G91 G01 X2 F1", "G00 G91", "G91 G00 Z-3", "G01 F1 G91 Z2 K5"]);
         self.blocks(&[&format!("G18 {side} {motion}")]);
         self.one_of(&["X0", "Z0 X0", "M08\nZ0", "M08\nS5", "G04 F1\nM09", "G90\nG41\nG91", "M65\nG50 S100"])
+    }
+
+    /// Whether the set-up has noses and tools may select them.
+    fn has_noses(&self) -> bool {
+        !self.state.setup.nose_radius.is_empty() && self.state.setup.options.nose_radius_compensation
     }
 
     /// The code of a nose that has a radius, where there is one.
@@ -154,8 +161,11 @@ impl Builder<'_, '_, '_> {
 
     /// A limit along Z between the programmed point and the tip at the end of a line.
     fn tip_beyond_limit(&mut self) -> bool {
+        if self.state.is_eia() || !self.with_nose() {
+            return false;
+        }
         let tip = self.state.compensation.tip_aside();
-        if tip == 0 || self.state.is_eia() {
+        if tip == 0 {
             return false;
         }
         let (name, direction) = if tip < 0 { ("VNVLZ", -1) } else { ("VPVLZ", 1) };
@@ -182,6 +192,8 @@ impl Builder<'_, '_, '_> {
         }
         self.one_of(&[
             "G40 G00\nG91 G02 X6 Z3 L9 F1",
+            "G40\nG91 G03 X6 Z3 L9 F1",
+            "G40 G01\nM08\nS5\nG02 X5 Z5 L90",
             "G40 G01 F1\nM08\nG03 X5 Z5 L90",
             "G22 Z5 D1 L1 F1 PZ=5",
             "G40 G01 G22 Z5 D1 L1 F1 PZ=5",
