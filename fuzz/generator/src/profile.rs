@@ -21,6 +21,8 @@ use crate::tape;
 /// | G64, G65 | `aux` |
 /// | M152, M153 | `m-tool` |
 /// | `=` before a single number | `expression` |
+/// | I and K of a block that begins or ends compensation | `arc` |
+/// | nose radius entries of the set-up | `tool` |
 /// | zero offset of the set-up | `zero-shift` |
 /// | lowest and highest speed of the spindle | `gear` |
 ///

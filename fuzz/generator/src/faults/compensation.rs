@@ -44,7 +44,7 @@ impl Builder<'_, '_, '_> {
                 self.one_of(list)
             }
             Fault::TravelLimitNegative | Fault::TravelLimitPositive
-                if self.has_noses() && self.choices.chance(50) =>
+                if self.has_noses() && self.choices.chance(75) =>
             {
                 self.tip_beyond_limit()
             }
@@ -163,6 +163,11 @@ impl Builder<'_, '_, '_> {
     fn tip_beyond_limit(&mut self) -> bool {
         if self.state.is_eia() || !self.with_nose() {
             return false;
+        }
+        if self.state.compensation.tip_aside() == 0
+            && let Some(nose) = self.nose_word()
+        {
+            self.push(vec![nose]);
         }
         let tip = self.state.compensation.tip_aside();
         if tip == 0 {

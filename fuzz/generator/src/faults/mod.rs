@@ -35,6 +35,7 @@ fn special(setup: &Setup) -> Vec<Fault> {
         (!setup.nose_radius.is_empty(), Fault::CompensationNotLinear),
         (!setup.nose_radius.is_empty(), Fault::Unspecified),
         (!setup.nose_radius.is_empty(), Fault::TravelLimitNegative),
+        (!setup.nose_radius.is_empty(), Fault::TravelLimitPositive),
         (setup.options.user_task == 1, Fault::UserTaskLevel),
         (!setup.inputs.turret_clamp_confirmed, Fault::TurretClamp),
         (setup::is_over_time(setup), Fault::StmOver),
