@@ -75,7 +75,7 @@ impl Interpreter<'_> {
 
     /// M109 leaves the planes of the C axis.
     fn leave_plane(&mut self, sink: &mut impl Sink) {
-        if self.state.plane != 18 {
+        if self.state.plane != 18 && !planted::is(Bug::PlaneKept) {
             let previous = std::mem::replace(&mut self.state.plane, 18);
             let group = const { Label::new("plane") };
             self.emit_mode(sink, group, 18, previous, const { RuleSet::of(&[CRC_03]) });

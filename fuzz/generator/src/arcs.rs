@@ -23,8 +23,8 @@ const SPOKES: [(f64, f64); 12] = [
     (4.0, -3.0),
 ];
 
-/// Words of an arc and where it ends.
-type Arc = Option<(Vec<Item>, Point)>;
+/// Words of an arc, where it ends, and its centre.
+type Arc = Option<(Vec<Item>, Point, Point)>;
 
 impl Builder<'_, '_, '_> {
     /// A block of G02 or G03, or a line when no arc fits here.
@@ -33,6 +33,9 @@ impl Builder<'_, '_, '_> {
         let mut items = Vec::new();
         self.companions(&mut items);
         self.feed_if_needed(&mut items);
+        if self.state.compensation.left_over && !self.choices.chance(6) {
+            return self.line(Mode::Linear);
+        }
         let start = self.present();
         let mut arc = match self.choices.below(10) {
             0..=2 => self.exact_arc(start),
@@ -41,18 +44,20 @@ impl Builder<'_, '_, '_> {
             _ => None,
         };
         if arc.is_none() {
-            arc = self.radius_arc(start);
+            arc = self.radius_arc(start, mode);
         }
         match arc {
-            Some((words, end)) => {
+            Some((words, end, centre)) => {
                 self.select(mode, &mut items);
                 items.extend(words);
                 self.state.move_to(Axis::X, end.diameter());
                 self.state.move_to(Axis::Z, end.coordinate());
+                self.travelled(start, end, Some((centre, mode)));
             }
             None => {
                 self.select(Mode::Linear, &mut items);
                 self.line_words(&mut items);
+                self.travelled_by(&items, start);
             }
         }
         self.state.after_cutting = true;
@@ -81,17 +86,18 @@ impl Builder<'_, '_, '_> {
     }
 
     /// Words of an arc by centre, if it closes and ends within the limits.
-    fn centred(&mut self, start: Point, centre: Point, end: Point) -> Arc {
+    pub(crate) fn centred(&mut self, start: Point, centre: Point, end: Point) -> Arc {
         if !self.point_fits(end) {
             return None;
         }
         let (mut words, offset) = self.centre_words(start, centre);
         let (coordinates, end) = self.straight(start, end)?;
         words.splice(0..0, coordinates);
-        let (first, last) = (offset.length(), end.minus(start.plus(offset)).length());
+        let centre = start.plus(offset);
+        let (first, last) = (offset.length(), end.minus(centre).length());
         let tolerance = self.state.setup.parameters.circular_radius_tolerance.0 as f64;
         let closes = (first - last).abs() <= (tolerance - 5.0).max(1e-3);
-        (closes && end != start).then_some((words, end))
+        (closes && end != start).then_some((words, end, centre))
     }
 
     /// I and K toward a centre, a zero usually left out; and the centre from the start.
@@ -135,7 +141,7 @@ impl Builder<'_, '_, '_> {
         let tolerance = self.state.setup.parameters.circular_radius_tolerance.0 as f64;
         let closes = self.state.setup.readings.arc_one_coordinate == ArcOneCoordinate::Quadrant
             || difference <= (tolerance - 5.0).max(1e-3);
-        (closes && self.point_fits(end) && end.minus(start).length() > 1e4).then_some((words, end))
+        (closes && self.point_fits(end) && end.minus(start).length() > 1e4).then_some((words, end, centre))
     }
 
     /// A point between the start and the end of its quadrant about the centre.
@@ -159,7 +165,7 @@ impl Builder<'_, '_, '_> {
     }
 
     /// An arc by radius, minor or major.
-    fn radius_arc(&mut self, start: Point) -> Arc {
+    fn radius_arc(&mut self, start: Point, mode: Mode) -> Arc {
         let wanted = self.somewhere_near(start);
         let (mut words, end) = self.straight(start, wanted)?;
         let half = end.minus(start).length() / 2.0;
@@ -171,10 +177,22 @@ impl Builder<'_, '_, '_> {
             return None;
         }
         words.push(item);
-        if self.choices.chance(30) {
+        let major = self.choices.chance(30);
+        if major {
             let place = self.choices.below(words.len() + 1);
             words.insert(place, Item::Calrg);
         }
-        Some((words, end))
+        let on_left = (mode == Mode::CounterClockwise) != major;
+        let centre = centre_by_radius(start, end, radius as f64, on_left)?;
+        Some((words, end, centre))
     }
+}
+
+/// The centre of an arc by radius, on the left or the right of the way from its start to its end.
+pub(crate) fn centre_by_radius(start: Point, end: Point, radius: f64, on_left: bool) -> Option<Point> {
+    let half = end.minus(start).times(0.5);
+    let away = (radius * radius - half.z * half.z - half.x * half.x).max(0.0).sqrt();
+    let across = Point { z: -half.x, x: half.z }.times(away / half.length());
+    let centre = start.plus(half).plus(across.times(if on_left { 1.0 } else { -1.0 }));
+    (radius >= half.length()).then_some(centre)
 }

@@ -29,7 +29,7 @@ pub(crate) struct Builder<'b, 'c, 'd> {
 
 /// A kind of block.
 #[derive(Clone, Copy)]
-enum Kind {
+pub(crate) enum Kind {
     Rapid,
     Linear,
     Arc,
@@ -43,6 +43,12 @@ enum Kind {
     Assignment,
     CAxis,
     Filler,
+    StartUp,
+    ContourLine,
+    ContourArc,
+    Repetition,
+    Idle,
+    Cancel,
 }
 
 const KINDS: &[(usize, Kind)] = &[
@@ -61,15 +67,18 @@ const KINDS: &[(usize, Kind)] = &[
     (4, Kind::Filler),
 ];
 
+/// How often a block begins compensation, in programs that are to have it and in others.
+const START_UPS: (usize, usize) = (40, 1);
+
 impl Kind {
     /// Whether a profile has something for blocks of this kind.
-    fn is_within(self, profile: &Profile) -> bool {
+    pub(crate) fn is_within(self, profile: &Profile) -> bool {
         let any = |features: &[Feature]| features.iter().any(|feature| profile.allows(*feature));
         let feed = profile.allows(Feature::Feed);
         match self {
             Self::Rapid => any(&[Feature::Rapid]),
-            Self::Linear => feed && any(&[Feature::Linear]),
-            Self::Arc => feed && any(&[Feature::Arc]),
+            Self::Linear | Self::ContourLine | Self::Repetition => feed && any(&[Feature::Linear]),
+            Self::Arc | Self::ContourArc => feed && any(&[Feature::Arc]),
             Self::Taper => any(&[Feature::AnyAngle]),
             Self::Chamfer => feed && any(&[Feature::Chamfer, Feature::Rounding, Feature::AnyAngle]),
             Self::Dwell => any(&[Feature::Dwell]),
@@ -78,6 +87,7 @@ impl Kind {
             Self::Assignment => any(&[Feature::Variable, Feature::SystemVariable]),
             Self::CAxis => any(&[Feature::CAxis]),
             Self::Auxiliary | Self::Modes | Self::Filler => true,
+            Self::StartUp | Self::Idle | Self::Cancel => any(&[Feature::RadiusCompensation]),
         }
     }
 }
@@ -90,7 +100,10 @@ impl<'b, 'c, 'd> Builder<'b, 'c, 'd> {
     pub(crate) fn new(choices: &'b mut Choices<'c, 'd>, mut state: State, profile: Profile) -> Self {
         let expressions = choices.pick(&[0, 3, 10, 40]);
         let expressions = if profile.allows(Feature::Expression) { expressions } else { 0 };
-        let kinds = KINDS.iter().copied().filter(|(_, kind)| kind.is_within(&profile)).collect();
+        let (many, few) = START_UPS;
+        let start_ups = if choices.chance(40) { many } else { few };
+        let kinds = KINDS.iter().copied().chain([(start_ups, Kind::StartUp)]);
+        let kinds = kinds.filter(|(_, kind)| kind.is_within(&profile)).collect();
         state.environment.restrict(&profile);
         Self { choices, state, lines: Vec::new(), expressions, room: 0, profile, kinds }
     }
@@ -154,6 +167,9 @@ impl<'b, 'c, 'd> Builder<'b, 'c, 'd> {
             }
             self.within_profile(ATTEMPTS, Self::next_block);
         }
+        if self.state.compensation.has_to_go_on() && self.choices.chance(92) {
+            self.within_profile(ATTEMPTS, Self::next_block);
+        }
         if fault != Some(Fault::NoProgramEnd) && !self.within_profile(ATTEMPTS, Self::ending) {
             self.raw(b"M02");
         }
@@ -211,8 +227,20 @@ impl<'b, 'c, 'd> Builder<'b, 'c, 'd> {
 
     fn next_block(&mut self) -> bool {
         self.begin();
-        let Self { choices, kinds, .. } = self;
-        match choices.weighted(kinds) {
+        if self.state.compensation.is_on() {
+            let kind = self.compensated_kind();
+            self.fitting(|builder| builder.block_of(kind));
+        } else {
+            let Self { choices, kinds, .. } = self;
+            let kind = choices.weighted(kinds);
+            self.block_of(kind);
+        }
+        true
+    }
+
+    /// Adds a block of a kind, or several that belong together.
+    fn block_of(&mut self, kind: Kind) {
+        match kind {
             Kind::Rapid => self.line(Mode::Rapid),
             Kind::Linear => self.line(Mode::Linear),
             Kind::Arc => self.arc(),
@@ -226,8 +254,13 @@ impl<'b, 'c, 'd> Builder<'b, 'c, 'd> {
             Kind::Assignment => self.assignment(),
             Kind::CAxis => self.c_axis(),
             Kind::Filler => self.filler(),
+            Kind::StartUp => self.start_up(),
+            Kind::ContourLine => self.contour_line(),
+            Kind::ContourArc => self.contour_arc(),
+            Kind::Repetition => self.repetition(),
+            Kind::Idle => self.idle(),
+            Kind::Cancel => self.cancel(),
         }
-        true
     }
 
     /// Begins a block: its expressions read the state as it is now.
@@ -245,6 +278,7 @@ impl<'b, 'c, 'd> Builder<'b, 'c, 'd> {
 
     /// Adds a block of these words, in another order now and then.
     pub(crate) fn push(&mut self, mut items: Vec<Item>) {
+        self.state.compensation.note_block(&items);
         let assigns = items.iter().any(|item| matches!(item, Item::Assignment(..)));
         if !assigns && self.choices.chance(15) {
             self.choices.shuffle(&mut items);
@@ -282,6 +316,12 @@ impl<'b, 'c, 'd> Builder<'b, 'c, 'd> {
 
     /// A block that the block delete switch skips: whatever stands after the slash.
     fn skipped(&mut self) {
+        let named = self.choices.chance(30) && self.allows(Feature::SequenceName);
+        if let Some(name) = named.then(|| self.sequence_name()).flatten() {
+            let items = vec![Item::g(0), Item::whole("X", 5)];
+            self.lines.push(Line::Block(Block { delete: true, sequence: Some(name), items }));
+            return;
+        }
         let list: [&[u8]; 6] =
             [b"/G00 X5", b"/ G05 NONSENSE ))", b"/", b"/M02", b"/G00 (OPEN", b"/V1=V2/0 GOTO"];
         let allowed = if self.state.is_eia() { 1 } else { list.len() };

@@ -66,10 +66,12 @@ impl Builder<'_, '_, '_> {
             }
             items.extend([item, length_item]);
             self.chamfer_codes(&mut items);
+            let from = self.present();
             let mut corner = [self.state.program(Axis::X), self.state.program(Axis::Z)];
             corner[axis as usize] = target;
             self.state.move_to(axis, target);
             self.state.move_to(other, beside);
+            self.note_leg(from, Point::of(corner[0], corner[1]));
             self.push(items);
             let end = [self.state.program(Axis::X), self.state.program(Axis::Z)];
             let from_corner =
@@ -97,8 +99,16 @@ impl Builder<'_, '_, '_> {
         self.select(Mode::Linear, &mut items);
         self.feed_if_needed(&mut items);
         items.push(item);
+        let from = self.present();
         self.state.move_to(axis, target);
+        self.travelled(from, self.present(), None);
         self.push(items);
+    }
+
+    /// Notes a line to a corner and what cuts the corner, whose direction lies between those of its lines.
+    fn note_leg(&mut self, from: Point, corner: Point) {
+        self.travelled(from, corner, None);
+        self.travelled(corner, self.present(), None);
     }
 
     /// A contour of lines at any angle with chamfers, roundings or open corners between them.
@@ -132,6 +142,7 @@ impl Builder<'_, '_, '_> {
             if place == 0 {
                 self.begin_ahead();
             }
+            self.travelled(base, leg.corner, None);
             base = leg.corner;
         }
         self.state.move_to(Axis::X, base.diameter());

@@ -10,6 +10,7 @@ use crate::program::Item;
 impl Builder<'_, '_, '_> {
     /// A few words for the beginning of a block; what they do happens before its motion.
     pub(crate) fn companions(&mut self, items: &mut Vec<Item>) {
+        self.due_compensation(items);
         if self.choices.chance(50) {
             return;
         }
@@ -21,7 +22,7 @@ impl Builder<'_, '_, '_> {
             items.push(self.spindle_speed());
         }
         self.extended_speeds(items, 4);
-        if self.choices.chance(6) && self.allows(Feature::Tool) {
+        if self.choices.chance(6) && !has(items, "T") && self.allows(Feature::Tool) {
             items.push(self.tool_word());
         }
         if self.choices.chance(25) {
@@ -83,11 +84,32 @@ impl Builder<'_, '_, '_> {
         if self.choices.chance(percent / 2) && self.allows(Feature::Aux) {
             items.push(Item::g(self.choices.within(64, 65)));
         }
-        let (aux, turret) = (Feature::Aux, Feature::Turret);
-        for (code, feature) in [(13, turret), (18, aux), (40, aux), (110, turret)] {
-            if self.choices.chance(percent / 4) && self.allows(feature) {
+        for code in [13, 110] {
+            if self.choices.chance(percent / 4) && self.allows(Feature::Turret) {
                 items.push(Item::g(code));
             }
+        }
+        self.compensation_words(items, percent);
+    }
+
+    /// Codes of the plane and of compensation that change little here.
+    fn compensation_words(&mut self, items: &mut Vec<Item>, percent: usize) {
+        let written = |item: &Item| matches!(item, Item::Word(word) if word.is_g(&[18, 40, 41, 42]));
+        if !self.allows(Feature::RadiusCompensation) || items.iter().any(written) {
+            return;
+        }
+        if self.state.compensation.is_on() {
+            if self.choices.chance(percent / 2) {
+                self.side_word(items);
+            }
+            return;
+        }
+        if self.choices.chance(percent / 4) {
+            items.push(Item::g(18));
+            self.state.plane = 18;
+        }
+        if self.choices.chance(percent / 4) {
+            items.push(Item::g(40));
         }
     }
 
@@ -128,13 +150,21 @@ impl Builder<'_, '_, '_> {
         let offset =
             if self.choices.chance(80) { self.choices.within(0, 4) } else { self.choices.within(0, sets) };
         let tool = if self.choices.chance(15) { 0 } else { self.choices.within(1, 12) };
-        let nose_allowed = self.state.setup.options.nose_radius_compensation;
-        let nose = if nose_allowed && self.choices.chance(40) { self.choices.within(0, sets) } else { 0 };
+        let nose = self.tool_nose(sets);
         self.state.offset = u8::try_from(offset).unwrap_or_default();
         if tool != 0 {
             self.state.tool = u8::try_from(tool).unwrap_or_default();
         }
+        self.state.compensation.nose = u8::try_from(nose).unwrap_or_default();
         self.whole("T", nose * 10_000 + tool * 100 + offset)
+    }
+
+    /// The first two digits of a T word, often those of an entry.
+    fn tool_nose(&mut self, sets: i64) -> i64 {
+        if !self.state.setup.options.nose_radius_compensation || !self.choices.chance(60) {
+            return 0;
+        }
+        if self.choices.chance(70) { self.choices.within(1, 4) } else { self.choices.within(0, sets) }
     }
 
     /// One to `most` M codes of different groups that raise no alarm here.
@@ -196,7 +226,7 @@ impl Builder<'_, '_, '_> {
     /// Changes the state as an M code does.
     fn note_m(&mut self, code: i64) {
         match code {
-            109 => self.state.joined = false,
+            109 => (self.state.joined, self.state.plane) = (false, 18),
             110 => self.state.joined = true,
             146 | 147 => self.state.clamped = code == 147,
             152 | 153 => self.state.released = code == 153,
@@ -207,6 +237,10 @@ impl Builder<'_, '_, '_> {
 
     /// The C axis is joined or taken off, clamped or freed.
     pub(crate) fn c_axis(&mut self) {
+        let plane = self.state.joined && !self.state.compensation.is_on();
+        if plane && self.allows(Feature::RadiusCompensation) && self.choices.chance(30) {
+            return self.plane();
+        }
         let code = match (self.state.joined, self.state.clamped) {
             (false, _) if self.choices.chance(85) => 110,
             (true, true) if self.choices.chance(70) => 146,

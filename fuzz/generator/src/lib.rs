@@ -1,9 +1,10 @@
 //! Generates part programs of the E100L, with set-ups, for differential and property tests.
 //!
 //! A program is grown block by block beside a forecast of the control's state, so that most programs run
-//! deep: arcs close, corners fit, feeds are given, coordinates stay within the limits. Some programs carry a
-//! fault of a chosen family, usually late. Everything follows from a stream of bytes: the same bytes, or the
-//! same seed, give the same case, and a fuzzer that changes the bytes changes the program.
+//! deep: arcs close, corners fit, feeds are given, coordinates stay within the limits, and in radius
+//! compensation the nose circle finds its corners. Some programs carry a fault of a chosen family, usually
+//! late. Everything follows from a stream of bytes: the same bytes, or the same seed, give the same case, and
+//! a fuzzer that changes the bytes changes the program.
 //!
 //! ```
 //! let case = turnspec_generator::case_from_seed(1);
@@ -18,6 +19,7 @@ mod chamfer;
 mod choices;
 mod codes;
 mod companions;
+mod compensation;
 mod environment;
 mod estimate;
 mod expression;

@@ -33,7 +33,9 @@ impl Builder<'_, '_, '_> {
         if mode == Mode::Linear {
             self.feed_if_needed(&mut items);
         }
+        let from = self.present();
         self.line_words(&mut items);
+        self.travelled_by(&items, from);
         self.state.after_cutting = mode == Mode::Linear;
         self.program_stop(&mut items);
         self.push(items);
@@ -64,9 +66,10 @@ impl Builder<'_, '_, '_> {
     }
 
     /// A coordinate word of one axis; moves the state. Now and then on a positive limit or beyond it.
-    fn axis_word(&mut self, axis: Axis, items: &mut Vec<Item>) {
+    pub(crate) fn axis_word(&mut self, axis: Axis, items: &mut Vec<Item>) {
         let mut wanted = self.state.somewhere(axis, self.choices);
         if let Some(limit) = self.state.limits[axis as usize].positive
+            && !self.state.compensation.is_on()
             && self.choices.chance(5)
         {
             let beyond = if self.choices.chance(30) { 0 } else { self.choices.within(0, 50_000) * 1_000 };
@@ -78,7 +81,7 @@ impl Builder<'_, '_, '_> {
     }
 
     /// C, QA or both.
-    fn c_words(&mut self, items: &mut Vec<Item>) {
+    pub(crate) fn c_words(&mut self, items: &mut Vec<Item>) {
         let extended = !self.state.is_eia() && self.choices.chance(20);
         if extended {
             let turns = self.choices.pick(&[1, 2, 5, 1999]);
@@ -120,6 +123,7 @@ impl Builder<'_, '_, '_> {
             }
             None => self.line_words(&mut items),
         }
+        self.travelled_by(&items, base);
         self.state.after_cutting = mode == Mode::Linear;
         self.push(items);
     }

@@ -28,19 +28,19 @@ impl Builder<'_, '_, '_> {
     /// G50 with axes, with S, or with both (E100L-G50-01, E100L-SMAX-01).
     pub(crate) fn shift(&mut self) {
         let mut items = vec![Item::g(50)];
-        let clamp =
-            self.choices.chance(40) && self.allows(Feature::Spindle) || !self.allows(Feature::ZeroShift);
+        let frame = self.allows(Feature::ZeroShift) && !self.state.compensation.is_on();
+        let clamp = self.choices.chance(40) && self.allows(Feature::Spindle) || !frame;
         if clamp {
             let speed = self.choices.pick(&[1_500, 3_000, 100, 0, 65_535]);
             items.push(self.whole("S", speed));
         }
-        if !clamp || self.choices.chance(30) && self.allows(Feature::ZeroShift) {
+        if !clamp || self.choices.chance(30) && frame {
             self.shift_words(&mut items);
         }
         self.push(items);
     }
 
-    fn shift_words(&mut self, items: &mut Vec<Item>) {
+    pub(crate) fn shift_words(&mut self, items: &mut Vec<Item>) {
         let w = self.state.setup.options.w_axis && self.choices.chance(30);
         let chosen = [(Axis::X, self.choices.chance(60)), (Axis::Z, self.choices.chance(60)), (Axis::W, w)];
         for (axis, _) in chosen.into_iter().filter(|(_, chosen)| *chosen) {
@@ -84,7 +84,9 @@ impl Builder<'_, '_, '_> {
     /// G22 with a torque stop where it is wanted; false when it cannot be written here.
     pub(crate) fn torque_skip(&mut self, stop: Stop) -> bool {
         let delayed = self.state.setup.parameters.torque_monitor_delay > 0;
-        if self.state.is_eia() || delayed && (stop == Stop::Early || !self.state.per_minute) {
+        let compensation = &self.state.compensation;
+        let refused = compensation.is_on() || compensation.left_over;
+        if self.state.is_eia() || refused || delayed && (stop == Stop::Early || !self.state.per_minute) {
             return false;
         }
         let w = self.state.setup.options.w_axis && self.choices.chance(40);

@@ -18,9 +18,11 @@ use crate::tape;
 /// | control characters, TAB and CR | `tape-code` |
 /// | M00 | `optional-stop` |
 /// | G13, G110 | `turret` |
-/// | G18, G40, G64, G65 | `aux` |
+/// | G64, G65 | `aux` |
 /// | M152, M153 | `m-tool` |
 /// | `=` before a single number | `expression` |
+/// | I and K of a block that begins or ends compensation | `arc` |
+/// | nose radius entries of the set-up | `tool` |
 /// | zero offset of the set-up | `zero-shift` |
 /// | lowest and highest speed of the spindle | `gear` |
 ///

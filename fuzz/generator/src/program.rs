@@ -61,6 +61,15 @@ pub enum Value {
     Expression(Expression),
 }
 
+impl Word {
+    /// Whether it is a G word of one of these codes, as a plain number.
+    #[must_use]
+    pub fn is_g(&self, codes: &[i64]) -> bool {
+        let is_code = |number: &Number| codes.iter().any(|code| *number == Number::whole(*code));
+        self.address == "G" && matches!(&self.value, Value::Plain(number) if is_code(number))
+    }
+}
+
 impl Item {
     /// A word with a plain number.
     #[must_use]

@@ -202,7 +202,7 @@ impl Scan<'_> {
                 needs::of_g_code(code)
             }
             b'M' => self.code().map_or(needs::ANY_M_CODE, needs::of_m_code),
-            b'V' if self.peek().is_ascii_digit() => &[Feature::Variable],
+            b'V' if self.peek().is_ascii_digit() => self.variable(),
             b'V' => &[Feature::SystemVariable, Feature::Alarm],
             b'X' | b'Z' | b'L' => &[],
             b'I' | b'K' => &[Feature::Arc],
@@ -219,6 +219,15 @@ impl Scan<'_> {
         self.block.feed |= letter == b'F';
         self.block.speed |= letter == b'S';
         self.block.axis |= matches!(letter, b'X' | b'Z' | b'C' | b'W' | b'A' | b'I' | b'K' | b'L');
+    }
+
+    /// A common variable; digits with a letter behind them name an unknown system variable.
+    fn variable(&self) -> &'static [Feature] {
+        let rest = self.text.get(self.at..).unwrap_or_default();
+        match rest.iter().find(|byte| !byte.is_ascii_digit()) {
+            Some(b'A'..=b'Z') => &[Feature::Variable, Feature::SystemVariable, Feature::Alarm],
+            _ => &[Feature::Variable],
+        }
     }
 
     fn note_g(&mut self, code: i64) {

@@ -2,11 +2,12 @@
 
 use turnspec_oracle::vocabulary::{
     Angle, ArcOneCoordinate, AxisAmounts, ChamferLeg, Chamfering, Duration, Feature, FeedLength, Gear,
-    InchConversion, IncrementalAfterChamfer, Length, Limit, NoseRadius, Readings, Setup, Speed, SpeedClamp,
-    TapeCode, ToolOffset, ToolOffsetSign, UnitSystem,
+    InchConversion, IncrementalAfterChamfer, Length, Limit, Readings, Setup, Speed, SpeedClamp, TapeCode,
+    ToolOffset, ToolOffsetSign, UnitSystem,
 };
 
 use crate::choices::Choices;
+use crate::compensation::nose_radii;
 use crate::profile::Profile;
 
 /// A set-up that passes [`Setup::validate`].
@@ -68,7 +69,7 @@ fn parameters(setup: &mut Setup, choices: &mut Choices<'_, '_>, profile: &Profil
         parameters.torque_monitor_delay = choices.pick(&[0, 0, 0, 1, 10, 9_999]);
     }
     let options = &mut setup.options;
-    options.nose_radius_compensation = !(choices.chance(25) && profile.allows(Feature::Tool));
+    options.nose_radius_compensation = !(choices.chance(10) && profile.allows(Feature::Tool));
     options.offset_sets = choices.pick(&[32, 64, 96]);
     options.w_axis = choices.chance(35) && profile.allows(Feature::WAxis);
     let tasks = profile.allows(Feature::Boolean) || profile.allows(Feature::Function);
@@ -111,8 +112,8 @@ fn amounts(setup: &mut Setup, choices: &mut Choices<'_, '_>, profile: &Profile) 
             setup.tool_offset.push(ToolOffset { number, x, z });
         }
     }
-    if choices.chance(20) && tool {
-        setup.nose_radius.push(NoseRadius { number: 1, x: Length(-800_000), z: Length(-800_000) });
+    if choices.chance(60) && tool {
+        setup.nose_radius = nose_radii(choices, setup.options.offset_sets);
     }
 }
 

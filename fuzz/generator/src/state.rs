@@ -8,6 +8,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use turnspec_oracle::vocabulary::{Length, Limit, Setup, TapeCode, ToolOffsetSign};
 
 use crate::choices::Choices;
+use crate::compensation::Compensation;
 use crate::environment::Environment;
 use crate::unit::{Estimate, Units};
 
@@ -86,6 +87,10 @@ pub struct State {
     pub clamped: bool,
     /// M153.
     pub released: bool,
+    /// The plane, G17, G18 or G119.
+    pub plane: i64,
+    /// Radius compensation.
+    pub compensation: Compensation,
     /// M124.
     pub timed: bool,
     /// Whether the last motion was a cutting one.
@@ -126,6 +131,8 @@ impl State {
             joined: false,
             clamped: false,
             released: false,
+            plane: 18,
+            compensation: Compensation::new(&setup),
             timed: false,
             after_cutting: false,
             names: BTreeSet::new(),
@@ -215,7 +222,10 @@ impl State {
     /// Moves an axis to a program coordinate, or to the positive limit.
     pub fn move_to(&mut self, axis: Axis, target: i64) {
         let machine = target + self.frame(axis);
-        let limit = self.limits[axis as usize].positive.unwrap_or(Length(i64::MAX));
+        let limit = match self.limits[axis as usize].positive {
+            Some(limit) if !self.compensation.is_on() => limit,
+            _ => Length(i64::MAX),
+        };
         self.machine[axis as usize] = machine.min(limit.0);
     }
 

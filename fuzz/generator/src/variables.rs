@@ -123,12 +123,21 @@ impl Builder<'_, '_, '_> {
         let axis = self.choices.below(2);
         if self.choices.chance(25) {
             let name = ["VNSRX", "VNSRZ"][axis];
-            return self.assign_length(Variable::Indexed(name, suffix), -20_000, 20_000).0;
+            return self.nose_variable(number, axis, Variable::Indexed(name, suffix));
         }
         let name = ["VTOFX", "VTOFZ"][axis];
         let (item, value) = self.assign_length(Variable::Indexed(name, suffix), -50_000, 50_000);
         let number = u8::try_from(number).unwrap_or(1);
         self.state.tool_offsets.entry(number).or_default()[axis] = value;
+        item
+    }
+
+    /// A component of a nose, usually a small one.
+    fn nose_variable(&mut self, number: i64, axis: usize, variable: Variable) -> Item {
+        let most = self.choices.pick(&[2_000, 2_000, 20_000]);
+        let (item, value) = self.assign_length(variable, -most, most);
+        let number = u8::try_from(number).unwrap_or(1);
+        self.state.compensation.radii.entry(number).or_default()[axis] = value;
         item
     }
 

@@ -298,6 +298,7 @@ fn rule_allowed(id: &str, features: &[Feature]) -> bool {
     let about: &[Feature] = match area {
         "ANG" | "DTAP" => &[Feature::AnyAngle, Feature::Chamfer, Feature::Rounding],
         "BOOL" => &[Feature::Boolean],
+        "NRC" => &[Feature::RadiusCompensation],
         "CAX" | "CFEED" => &[Feature::CAxis, Feature::MTool],
         "CHAM" => &[Feature::Chamfer, Feature::Rounding, Feature::AnyAngle],
         "CIRC" => &[Feature::Arc, Feature::Rounding],

@@ -2,7 +2,7 @@
 
 use turnspec_generator::Nudged;
 use turnspec_oracle::vocabulary::rule_ids::*;
-use turnspec_oracle::vocabulary::{Action, AlarmName, Event, RuleId, RuleSet, Setup};
+use turnspec_oracle::vocabulary::{Action, AlarmName, Event, Motion, PlanePosition, RuleId, RuleSet, Setup};
 
 use crate::differential::show;
 use crate::shape::{motion, trace};
@@ -21,6 +21,10 @@ const THRESHOLDS: &[AlarmName] = &[
     AlarmName::ChamferTooShort,
     AlarmName::TorqueReachedEarly,
     AlarmName::TorqueNotReached,
+    AlarmName::CompensationArcTooSmall,
+    AlarmName::CompensationNoIntersection,
+    // E100L-NRC-21, an element that becomes a repetition.
+    AlarmName::CompensationStartUp,
     // E100L-CIRC-07, a circle that closes on its start; E100L-TRQ-04, an approach without room.
     AlarmName::Unspecified,
 ];
@@ -35,6 +39,9 @@ const CORNERS: &[RuleId] = &[ANG_03, ANG_04, CHAM_03, CHAM_11];
 /// Rules of end points that are computed by division: from an angle, from a circle, at a corner of any angle.
 /// Close to parallel lines and tangents they move by more than their data.
 const COMPUTED: &[RuleId] = &[DTAP_03, ANG_01, ANG_03, ANG_04, ANG_05, ANG_06, CIRC_08];
+
+/// Rules of ends of compensated motions that move little: the corner of two lines, contact.
+const STEADY: &[RuleId] = &[NRC_15, NRC_26, NRC_30, NRC_44, NRC_45, NRC_66, NRC_71];
 
 /// Two programs of the generator differ by one increment (0.001 mm, 0.0001 inch) in one X, Z or W word that
 /// is a plain number. No expression of them reads a position or the zero shift, so that a coordinate can act
@@ -51,9 +58,16 @@ const COMPUTED: &[RuleId] = &[DTAP_03, ANG_01, ANG_03, ANG_04, ANG_05, ANG_06, C
 ///    axes do not move at all. (1000 nm; from inches at most 3000 nm, since words are rounded to 0.001 mm.)
 ///    Nothing is multiplied on the way: an absolute word replaces the difference, an incremental one carries
 ///    it on, G50 keeps it, a limit or a torque stop cuts it off.
+///    In compensation this is said of the programmed point: the machine coordinate less the way from it to
+///    the tip. A displacement left over (E100L-NRC-71) is passed over.
 /// 3. **Radius.** The centre of an arc by radius stays as far from its end, to within the 3 nm of latching.
 ///
-/// Rules: E100L-ABS-01, E100L-ABS-02, E100L-COORD-03, E100L-G50-02, E100L-LIM-01, E100L-LIM-02,
+/// 4. **Tip.** In compensation an end by another rule, a motion that repeats its point, and an extra motion are
+///    thresholds of their own. Where both lines end by the same rule, at the corner of two lines or in contact,
+///    and the nose centre is at most twice its radius away, the way from the programmed point to the tip turns
+///    with the directions: by at most 16 times radius × increment / length of the shorter line, and 4 nm.
+///
+/// Rules: E100L-NRC-07, E100L-NRC-13, E100L-NRC-26, E100L-NRC-44, E100L-ABS-01, E100L-ABS-02, E100L-COORD-03, E100L-G50-02, E100L-LIM-01, E100L-LIM-02,
 /// E100L-CIRC-11, E100L-CIRC-16, E100L-CIRC-17, E100L-CHAM-07, E100L-TRQ-04, E100L-TRQ-05, E100L-TRQ-06,
 /// E100L-INCH-02
 pub(crate) fn a_small_change_moves_little(input: &[u8]) -> Verdict {
@@ -67,7 +81,8 @@ fn moves_little(pair: &Nudged) -> Verdict {
     let fail = |message: String| format!("{message}\n{}\n{}", show(&pair.before), show(&pair.after));
     let count = same.map_err(fail)?;
     let (before, after) = (before.get(..count).unwrap_or_default(), after.get(..count).unwrap_or_default());
-    distance(before, after, pair).and_then(|()| radii(before, after)).map_err(fail)
+    let moved = distance(before, after, pair).and_then(|()| radii(before, after));
+    moved.and_then(|()| tips(before, after, increment(&pair.before.setup))).map_err(fail)
 }
 
 /// Whether an expression reads the present position, or the zero shift that depends on it.
@@ -89,7 +104,9 @@ fn same_shape(before: &[Event], after: &[Event]) -> Result<usize, String> {
             _ => false,
         };
         let corner = events.iter().any(|event| cites(event, CORNERS));
-        require(corner || events.iter().any(|event| known(event)), || format!("{one:?}\n{other:?}"))?;
+        let compensated = events.iter().any(|event| cites(event, &[NRC_46])) || corners_differ(one, other);
+        let threshold = corner || compensated || events.iter().any(|event| known(event));
+        require(threshold, || format!("{one:?}\n{other:?}"))?;
         let line = one.block.line.min(other.block.line);
         return Ok(before.iter().take(index).take_while(|event| event.block.line < line).count());
     }
@@ -99,8 +116,7 @@ fn same_shape(before: &[Event], after: &[Event]) -> Result<usize, String> {
 
 /// What an event is, its amounts aside.
 fn shape(event: &Event) -> String {
-    let rules: RuleSet =
-        event.rules.as_slice().iter().copied().filter(|rule| !BOUNDS.contains(rule)).collect();
+    let rules: RuleSet = event.rules.as_slice().iter().copied().filter(is_of_shape).collect();
     let readings: Vec<&str> = match cites(event, &[SMAX_01]) {
         true => Vec::new(),
         false => event.readings.iter().map(|reading| reading.as_str()).collect(),
@@ -118,6 +134,36 @@ fn shape(event: &Event) -> String {
     format!("{} {} {rules:?} {readings:?} {what}", event.n, event.block.line)
 }
 
+/// Whether a rule belongs to the shape: those of bounds and of ends of compensated motions do not.
+fn is_of_shape(rule: &RuleId) -> bool {
+    !BOUNDS.contains(rule) && !is_of_compensation(rule)
+}
+
+fn is_of_compensation(rule: &RuleId) -> bool {
+    rule.as_str().split('-').nth(1) == Some("NRC")
+}
+
+/// Whether two compensated motions end by different rules.
+fn corners_differ(one: &Event, other: &Event) -> bool {
+    let of_it = |event: &Event| -> RuleSet {
+        event.rules.as_slice().iter().copied().filter(is_of_compensation).collect()
+    };
+    let compensated = |event| motion(event).is_some_and(|motion| motion.tip.is_some());
+    compensated(one) && compensated(other) && of_it(one) != of_it(other)
+}
+
+fn ends_compensation(event: &Event) -> bool {
+    event.rules.as_slice().contains(&NRC_01)
+        && matches!(event.action, Action::Mode { code, .. } if code.as_str() == "G40")
+}
+
+/// X and Z of the programmed point in machine coordinates.
+fn programmed(motion: &Motion) -> (i64, i64) {
+    let tip = motion.tip.unwrap_or(PlanePosition { x: motion.program.x, z: motion.program.z });
+    let (x, z) = (tip.x.0 - motion.program.x.0, tip.z.0 - motion.program.z.0);
+    (motion.machine.x.0 - x, motion.machine.z.0 - z)
+}
+
 fn cites(event: &Event, rules: &[RuleId]) -> bool {
     event.rules.as_slice().iter().any(|rule| rules.contains(rule))
 }
@@ -126,15 +172,18 @@ fn cites(event: &Event, rules: &[RuleId]) -> bool {
 fn distance(before: &[Event], after: &[Event], pair: &Nudged) -> Verdict {
     let most = increment(&pair.before.setup);
     let (mut forward, mut backward) = (false, false);
+    let mut left_over = false;
     for (one, other) in before.iter().zip(after) {
         if cites(one, COMPUTED) {
             break;
         }
+        left_over |= ends_compensation(one);
         let (Some(from), Some(to)) = (motion(one), motion(other)) else { continue };
+        left_over &= from.tip.is_none() && !cites(one, &[NRC_66, NRC_71]);
         let w = |position: turnspec_oracle::vocabulary::Position| position.w.unwrap_or_default().0;
         let moves = [
-            ("X", to.machine.x.0 - from.machine.x.0),
-            ("Z", to.machine.z.0 - from.machine.z.0),
+            ("X", if left_over { 0 } else { programmed(&to).0 - programmed(&from).0 }),
+            ("Z", if left_over { 0 } else { programmed(&to).1 - programmed(&from).1 }),
             ("W", w(to.machine) - w(from.machine)),
         ];
         for (axis, by) in moves {
@@ -162,6 +211,60 @@ fn radii(before: &[Event], after: &[Event]) -> Verdict {
     Ok(())
 }
 
+/// Statement 4.
+fn tips(before: &[Event], after: &[Event], increment: i64) -> Verdict {
+    let ends: Vec<_> = before.iter().zip(after).filter(|(one, _)| motion(one).is_some()).collect();
+    for around in ends.windows(3) {
+        let [(first, _), (one, other), (next, _)] = around else { continue };
+        if cites(first, COMPUTED) || cites(one, COMPUTED) || cites(next, COMPUTED) {
+            break;
+        }
+        let lines = [first, one, next].iter().all(|event| !matches!(event.action, Action::Arc { .. }));
+        if !lines || !cites(one, STEADY) || corners_differ(one, other) || shape(one) != shape(other) {
+            continue;
+        }
+        let (Some(start), Some(end), Some(behind)) = (motion(first), motion(one), motion(next)) else {
+            continue;
+        };
+        let (Some(from), Some(to)) = (displaced(&end), motion(other).as_ref().and_then(displaced)) else {
+            continue;
+        };
+        let shorter = length(&start, &end).min(length(&end, &behind));
+        if shorter == 0.0 || from.away > 2.0 * from.radius {
+            continue;
+        }
+        let most = 16.0 * from.radius * increment as f64 / shorter + 4.0;
+        let moves = (to.x - from.x).hypot(to.z - from.z);
+        require(moves <= most, || format!("the tip moves by {moves} nm, not {most}:\n{one:?}\n{other:?}"))?;
+    }
+    Ok(())
+}
+
+/// Where a compensated motion ends, from the programmed point, X as a radius.
+struct Displaced {
+    x: f64,
+    z: f64,
+    /// How far the nose centre is away.
+    away: f64,
+    /// The nose radius.
+    radius: f64,
+}
+
+fn displaced(motion: &Motion) -> Option<Displaced> {
+    let (tip, nose) = (motion.tip?, motion.nose?);
+    let from = |point: PlanePosition, x: i64, z: i64| ((point.x.0 - x) as f64 / 2.0, (point.z.0 - z) as f64);
+    let (x, z) = from(tip, motion.program.x.0, motion.program.z.0);
+    let (nose_x, nose_z) = from(nose, motion.program.x.0, motion.program.z.0);
+    let (v_x, v_z) = from(nose, tip.x.0, tip.z.0);
+    Some(Displaced { x, z, away: nose_x.hypot(nose_z), radius: v_x.abs().max(v_z.abs()) })
+}
+
+/// The length of a line between two programmed points, X as a radius.
+fn length(from: &Motion, to: &Motion) -> f64 {
+    let ((from_x, from_z), (to_x, to_z)) = (programmed(from), programmed(to));
+    ((to_x - from_x) as f64 / 2.0).hypot((to_z - from_z) as f64)
+}
+
 /// The distance of an arc's end from its centre, in nanometres.
 fn radius(event: &Event) -> Option<f64> {
     let Action::Arc { motion, centre_x, centre_z, .. } = event.action else { return None };
@@ -174,7 +277,7 @@ fn radius(event: &Event) -> Option<f64> {
 mod tests {
     use super::moves_little;
     use turnspec_generator::{Case, Nudged};
-    use turnspec_oracle::vocabulary::Setup;
+    use turnspec_oracle::vocabulary::{Length, NoseRadius, Setup};
 
     use crate::bytes_of_seed;
     use crate::shape::{is_alarm, trace};
@@ -205,6 +308,34 @@ mod tests {
         assert!(verdict("G00 X1\nM08", "G00 X1\nM21").is_err());
         assert_eq!(verdict("G00 X99999.998\nG91 X0.001", "G00 X99999.999\nG91 X0.001"), Ok(()));
         assert_eq!(verdict("G02 F1 X20 Z0 L5", "G02 F1 X20.001 Z0 L5"), Ok(()));
+    }
+
+    /// A contour with G42 and a nose of this radius in nanometres, its last line to an X.
+    fn compensated(radius: i64, x: &str) -> Case {
+        let nose = NoseRadius { number: 1, x: Length(radius), z: Length(radius) };
+        let setup = Setup { nose_radius: vec![nose], ..Setup::default() };
+        let program = format!("G42 G01 X100 Z100 F0.2 T010101\nZ60\nX{x} Z20\nZ0\nG40 G00 X300 Z300\nM02\n");
+        Case { setup, program: program.into_bytes() }
+    }
+
+    #[test]
+    fn a_tip_that_goes_elsewhere_is_noticed() {
+        let pair = |radius, x| Nudged {
+            before: compensated(800_000, "130"),
+            after: compensated(radius, x),
+            axis: "X",
+        };
+        assert_eq!(moves_little(&pair(800_000, "130.001")), Ok(()));
+        assert!(moves_little(&pair(810_000, "130")).is_err_and(|message| message.contains("the tip moves")));
+        // A point on the line: straight on before, a corner after.
+        assert_eq!(
+            moves_little(&Nudged {
+                before: compensated(800_000, "100"),
+                after: compensated(800_000, "100.001"),
+                axis: "X",
+            }),
+            Ok(())
+        );
     }
 
     #[test]

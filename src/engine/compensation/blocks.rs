@@ -9,6 +9,7 @@ use crate::engine::arithmetic::plane::Direction;
 use crate::engine::cite::{self, Cites};
 use crate::engine::fault::Fault;
 use crate::engine::motion::{Element, Kind};
+use crate::engine::planted::{self, Bug};
 use crate::engine::words::{Address, Words};
 
 use super::waiting::{Next, Role, Waiting};
@@ -36,6 +37,7 @@ impl Interpreter<'_> {
     /// A block that begins or ends compensation and had no motion of its own.
     pub(in crate::engine) fn complete_change(&mut self, sink: &mut impl Sink) -> Result<(), Fault> {
         match self.compensation.phase {
+            Phase::Starting if planted::is(Bug::StartUpWithoutWords) => Ok(()),
             Phase::Starting => {
                 let kind = if self.state.motion == 0 { Kind::Rapid } else { Kind::Linear };
                 let cites = self.line_cites(Cites::default()).and_if(self.inch_block, cite::INCH_02);
@@ -85,7 +87,7 @@ impl Interpreter<'_> {
     fn count_idle_block(&mut self, sink: &mut impl Sink) -> Result<(), Fault> {
         let waits = self.compensation.waiting.is_some();
         self.compensation.idle_blocks = self.compensation.idle_blocks.more(waits);
-        if self.compensation.idle_blocks == IdleBlocks::One {
+        if self.compensation.idle_blocks == IdleBlocks::One && !planted::is(Bug::FirstIdleBlock) {
             return Ok(());
         }
         self.end_waiting(Next::IdleBlocks, sink)?;

@@ -7,6 +7,7 @@ use crate::engine::Interpreter;
 use crate::engine::block::OneShot;
 use crate::engine::codes::GGroup;
 use crate::engine::fault::Fault;
+use crate::engine::planted::{self, Bug};
 use crate::engine::words::{Address, Words};
 
 use super::waiting::undefined;
@@ -81,7 +82,8 @@ impl Interpreter<'_> {
         if matches!(plane, Some(17 | 119)) && !self.state.c_joined {
             return Fault::raise(AlarmName::CAxisNotJoined, rules::CRC_02);
         }
-        if plane.is_some() && self.state.compensation != 40 && change != Change::Ends {
+        let same = planted::is(Bug::SamePlane) && plane == Some(self.state.plane);
+        if plane.is_some() && self.state.compensation != 40 && change != Change::Ends && !same {
             return Fault::raise(AlarmName::PlaneChangeInCompensation, rules::CRC_13);
         }
         match compensation {

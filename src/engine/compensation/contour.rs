@@ -7,6 +7,7 @@ use turnspec_oracle::vocabulary::Sense;
 
 use crate::engine::arithmetic::nose;
 use crate::engine::arithmetic::plane::{Direction, Point, bounded, difference, tangent};
+use crate::engine::planted::{self, Bug};
 
 /// A line or an arc.
 #[derive(Clone, Copy, Debug)]
@@ -48,7 +49,9 @@ pub struct Circle {
 impl Circle {
     /// Whether the nose does not fit into it, or it has no direction there (E100L-NRC-48).
     pub fn is_too_small(self) -> bool {
-        nose::is_too_large(self.inward, self.from_centre)
+        // Half a nanometre more than there is.
+        let inward = self.inward + i128::from(planted::is(Bug::InsideArcOfTheNose) && self.inward > 0);
+        nose::is_too_large(inward, self.from_centre)
     }
 }
 

@@ -8,6 +8,7 @@ use crate::engine::arithmetic::nose::touches_both;
 use crate::engine::arithmetic::plane::{Direction, Point, cross, dot, square};
 use crate::engine::cite::{self, Cites};
 use crate::engine::exact::{Formula, Real, SlowPaths, round};
+use crate::engine::planted::{self, Bug};
 
 use super::arcs::ArcsCorner;
 use super::contour::{Contour, End};
@@ -88,12 +89,20 @@ impl Corner {
     pub fn between(before: &Contour, after: &Contour, slow: &mut SlowPaths) -> Option<(Self, Cites)> {
         let (arriving, leaving) = (before.end_tangent(), after.begin_tangent());
         let radii = Cites::default().and_if(before.radius != after.radius, cite::NRC_11);
-        if cross(arriving, leaving) == 0 {
+        let turn = cross(arriving, leaving);
+        let nearly = planted::is(Bug::NearlyParallel) && turn.abs() < dot(arriving, leaving).abs() >> 14;
+        if turn == 0 || nearly {
             let same = dot(arriving, leaving) > 0;
-            return Some((Self::contact_at_end(before), radii.and(parallel(before, after, same)?)));
+            let corner = match planted::is(Bug::ReversalOnOutgoing) {
+                true => Self::contact_at_beginning(after),
+                false => Self::contact_at_end(before),
+            };
+            return Some((corner, radii.and(parallel(before, after, same)?)));
         }
         let (corner, rule, side_change) = match (before.end(), after.begin()) {
             (End::Line(arriving), End::Line(leaving)) => {
+                let nose = if planted::is(Bug::CornerOfOneRadius) { before.radius } else { after.radius };
+                let after = Contour { radius: nose, ..*after };
                 let corner = LinesCorner::new((arriving, before.offset()), (leaving, after.offset()));
                 (Self::Lines(corner), cite::NRC_26, cite::NRC_62)
             }
@@ -117,7 +126,8 @@ impl Corner {
     pub fn latch(&self, at: Point, slow: &mut SlowPaths) -> Point {
         let z = Coordinate { corner: self, along: Along::Z, origin: 2 * i128::from(at.z) };
         let x = Coordinate { corner: self, along: Along::X, origin: at.x.into() };
-        Point { x: round(&x, slow), z: round(&z, slow) }
+        let x = round(&x, slow);
+        Point { x: if planted::is(Bug::LatchedRadius) { x + x % 2 } else { x }, z: round(&z, slow) }
     }
 }
 

@@ -4,6 +4,7 @@ use turnspec_oracle::vocabulary::{Action, Event, Length, Sink};
 
 use crate::engine::Interpreter;
 use crate::engine::arithmetic::plane::Point;
+use crate::engine::planted::{self, Bug};
 
 use super::Compensation;
 
@@ -28,7 +29,10 @@ impl Interpreter<'_> {
         if self.compensation.held.is_empty() {
             return;
         }
-        let displacement = self.compensation.displacement;
+        let displacement = match planted::is(Bug::HeldMotion) {
+            true => Point { x: 0, z: 0 },
+            false => self.compensation.displacement,
+        };
         let mut held = std::mem::take(&mut self.compensation.held);
         for mut event in held.drain(..) {
             displace(&mut event.action, displacement);

@@ -8,6 +8,7 @@
 
 use crate::engine::arithmetic::plane::{Direction, cross, dot, left, square};
 use crate::engine::exact::{Formula, Real, SlowPaths, sign};
+use crate::engine::planted::{self, Bug};
 
 use super::contour::Circle;
 use super::corner::{Along, Meeting, NoseCentre};
@@ -78,7 +79,8 @@ impl NoseCentre for LineArcCorner {
         if self.meeting == Meeting::Crossing {
             let radius: R = radius(&circle, precision);
             let half_chord = radius.minus(&distance).times(&radius.plus(&distance)).root();
-            let side = dot(circle.from_centre, line).signum();
+            let ahead = planted::is(Bug::CommonPointAhead);
+            let side = if ahead { 1 } else { dot(circle.from_centre, line).signum() };
             from_centre = from_centre.plus(&half_chord.times(&integer(side * along.of(line))));
         }
         from_centre.over(&self.pair.length(precision)).minus(&integer(along.of(circle.from_centre)))

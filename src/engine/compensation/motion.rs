@@ -12,6 +12,7 @@ use crate::engine::arithmetic::plane::Point;
 use crate::engine::cite::{self, Cites};
 use crate::engine::fault::Fault;
 use crate::engine::motion::{Element, Kind};
+use crate::engine::planted::{self, Bug};
 use crate::engine::state::{Amounts, C, W, X, Z};
 
 use super::Phase;
@@ -85,7 +86,8 @@ impl Interpreter<'_> {
         let imaginary = self.compensation.imaginary;
         // The imaginary line leads to the point, not from it.
         let (z, x) = imaginary.unwrap_or((-1, 0));
-        self.compensation.last = self.contour(Shape::Line((-z, -x)));
+        let onward = if planted::is(Bug::ImaginaryStart) { 1 } else { -1 };
+        self.compensation.last = self.contour(Shape::Line((onward * z, onward * x)));
         let role = Role::StartUp { imaginary: imaginary.is_some() };
         let way = (&start, &end, turn);
         let waiting = self.waiting_motion(role, (element.kind, feed), way, cites, self.readings_of(element));
@@ -185,7 +187,8 @@ impl Interpreter<'_> {
                     cites = cites.and(cite::LIM_01);
                 }
             }
-            self.compensation.displacement = Point { x: 0, z: 0 };
+            let kept = planted::is(Bug::LeftOverAxis) && element.x.is_none();
+            self.compensation.displacement = Point { x: if kept { before.x } else { 0 }, z: 0 };
             if self.compensation.phase == Phase::LeftOver {
                 self.compensation.phase = Phase::Off;
                 cites = cites.and(cite::NRC_71);
@@ -235,8 +238,9 @@ impl Interpreter<'_> {
 
     fn begin_to_wait(&mut self, waiting: Waiting) {
         let compensation = &mut self.compensation;
+        let counted = planted::is(Bug::RepetitionCounted) && waiting.role == Role::Return;
+        compensation.idle_blocks = if counted { IdleBlocks::One } else { IdleBlocks::None };
         compensation.waiting = Some(waiting);
-        compensation.idle_blocks = IdleBlocks::None;
         compensation.moved = true;
         compensation.holding = true;
         compensation.extra = None;
@@ -263,12 +267,15 @@ impl Interpreter<'_> {
 
     fn contour(&self, shape: Shape) -> Contour {
         let (radius, to_centre) = self.nose();
-        let side = if self.state.compensation == 41 { 1 } else { -1 };
+        let flipped = planted::is(Bug::SideOfNoseThree) && self.state.nose == 3;
+        let side = if (self.state.compensation == 41) != flipped { 1 } else { -1 };
         Contour { shape, side, radius, to_centre }
     }
 
     /// The nose radius in force, and the way from the tip to the nose centre (E100L-NRC-04, E100L-NRC-05).
-    fn nose(&self) -> (i64, Point) {
-        nose(self.state.nose_radii.get(usize::from(self.state.nose)).copied().unwrap_or_default())
+    pub(super) fn nose(&self) -> (i64, Point) {
+        let [x, z] = self.state.nose_radii.get(usize::from(self.state.nose)).copied().unwrap_or_default();
+        let (radius, to_centre) = nose([if planted::is(Bug::BoringTip) { x.abs() } else { x }, z]);
+        (if planted::is(Bug::SmallerRadius) { x.abs().min(z.abs()) } else { radius }, to_centre)
     }
 }

@@ -13,6 +13,7 @@ use crate::engine::arithmetic::plane::{Direction, Point};
 use crate::engine::cite::{self, Cites};
 use crate::engine::fault::Fault;
 use crate::engine::motion::Kind;
+use crate::engine::planted::{self, Bug};
 use crate::engine::state::{Amounts, X, Z};
 
 use super::contour::{Contour, Shape};
@@ -83,6 +84,9 @@ impl Interpreter<'_> {
     /// Ends the waiting motion, if one waits.
     pub(super) fn end_waiting(&mut self, next: Next, sink: &mut impl Sink) -> Result<(), Fault> {
         let Some(waiting) = self.compensation.waiting.take() else { return Ok(()) };
+        if planted::is(Bug::HeldAhead) {
+            self.release(sink);
+        }
         let ended = self.target(&waiting, next).and_then(|(target, cites)| {
             let tip = self.tip(&waiting, &target);
             self.conclude(&waiting, tip, cites, sink)
@@ -93,9 +97,12 @@ impl Interpreter<'_> {
     /// The return to the corner with the next element, if the tip is not there (E100L-NRC-46).
     pub(super) fn return_to_corner(&mut self, next: &Contour, sink: &mut impl Sink) -> Result<(), Fault> {
         let Some(extra) = self.compensation.extra.take() else { return Ok(()) };
+        if planted::is(Bug::ExtraForgotten) {
+            return Ok(());
+        }
         let ended = self.corner_with(next).and_then(|(corner, cites)| {
             let tip = self.tip(&extra, &Target::At(corner));
-            if tip == self.tip(&extra, &Target::Here) {
+            if tip == self.tip(&extra, &Target::Here) && !planted::is(Bug::ExtraAlways) {
                 return Ok(());
             }
             match extra.refusal {
@@ -111,7 +118,9 @@ impl Interpreter<'_> {
         match (waiting.role, next) {
             (Role::StartUp { imaginary: false }, Next::Element(next)) => {
                 let cites = cite::NRC_15.and_if(next.is_arc(), cite::NRC_18);
-                Ok((Target::At(Corner::contact_at_beginning(next)), cites))
+                let own = planted::is(Bug::StartUpRadius);
+                let radius = if own { self.compensation.last.radius } else { next.radius };
+                Ok((Target::At(Corner::contact_at_beginning(&Contour { radius, ..*next })), cites))
             }
             (Role::StartUp { .. }, Next::Element(next)) => {
                 let (corner, cites) = self.corner_with(next)?;
@@ -123,6 +132,8 @@ impl Interpreter<'_> {
                 Ok((Target::At(corner), cites.and(self.idle_cites())))
             }
             (Role::Element, Next::Cancel { imaginary: Some(line), .. }) => {
+                let (z, x) = line;
+                let line = if planted::is(Bug::ImaginaryCancel) { (-z, -x) } else { line };
                 let line = Contour { shape: Shape::Line(line), ..self.compensation.last };
                 let (corner, cites) = self.corner_with(&line)?;
                 Ok((Target::At(corner), cites.and(cite::NRC_69).and(self.idle_cites())))
@@ -152,7 +163,8 @@ impl Interpreter<'_> {
             Target::Here => at.plus(self.compensation.displacement),
             Target::At(corner) => {
                 let nose = corner.latch(at, &mut self.slow);
-                nose.minus(self.compensation.last.to_centre)
+                let later = planted::is(Bug::TipOfNextNose);
+                nose.minus(if later { self.nose().1 } else { self.compensation.last.to_centre })
             }
         }
     }
@@ -170,9 +182,16 @@ impl Interpreter<'_> {
         self.check_coordinate(tip.z)?;
         let programmed = Point { x: motion.program.x.0, z: motion.program.z.0 };
         let before = std::mem::replace(&mut self.compensation.displacement, tip.minus(programmed));
-        displace(&mut start, before);
+        if planted::is(Bug::LimitOfProgrammed) {
+            check_limits(end, &waiting.limits)?;
+        }
+        if !planted::is(Bug::PathOfProgrammed) {
+            displace(&mut start, before);
+        }
         displace(&mut end, self.compensation.displacement);
-        check_limits(end, &waiting.limits)?;
+        if !planted::is(Bug::LimitOfProgrammed) {
+            check_limits(end, &waiting.limits)?;
+        }
         let nose = tip.plus(self.compensation.last.to_centre);
         motion.machine.x = Length(end[X]);
         motion.machine.z = Length(end[Z]);

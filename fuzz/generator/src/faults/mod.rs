@@ -2,6 +2,7 @@
 //!
 //! A fault returns false when the set-up or the state does not let it happen.
 
+mod compensation;
 mod motion;
 mod state;
 mod text;
@@ -30,6 +31,11 @@ fn special(setup: &Setup) -> Vec<Fault> {
     let chamfering = setup.parameters.chamfering;
     let list = [
         (setup.tape.code != TapeCode::Ascii, Fault::ParityError),
+        (setup.switches.block_delete, Fault::SequenceNameDuplicate),
+        (!setup.nose_radius.is_empty(), Fault::CompensationNotLinear),
+        (!setup.nose_radius.is_empty(), Fault::Unspecified),
+        (!setup.nose_radius.is_empty(), Fault::TravelLimitNegative),
+        (!setup.nose_radius.is_empty(), Fault::TravelLimitPositive),
         (setup.options.user_task == 1, Fault::UserTaskLevel),
         (!setup.inputs.turret_clamp_confirmed, Fault::TurretClamp),
         (setup::is_over_time(setup), Fault::StmOver),
@@ -62,7 +68,10 @@ impl Builder<'_, '_, '_> {
     /// Adds the blocks of a fault.
     pub(crate) fn fault(&mut self, fault: Fault) -> bool {
         self.begin();
-        self.motion_fault(fault) || self.state_fault(fault) || self.text_fault(fault)
+        self.compensation_fault(fault)
+            || self.motion_fault(fault)
+            || self.state_fault(fault)
+            || self.text_fault(fault)
     }
 
     /// Adds one block of text a line; false when the tape code lacks a character of them.

@@ -15,12 +15,12 @@ impl Builder<'_, '_, '_> {
         match fault {
             Fault::ArcRadiusTooSmall => {
                 let sense = self.choices.within(2, 3);
-                self.incremental(&[sense], &[("X", 50 * MM), ("Z", 30 * MM), ("L", 5 * MM)])
+                self.travel(&[sense], &[("X", 50 * MM), ("Z", 30 * MM), ("L", 5 * MM)])
             }
             Fault::ArcRadiusMismatch => {
                 let sense = self.choices.within(2, 3);
                 let x = self.choices.within(10, 90) * MM;
-                self.incremental(&[sense], &[("X", x), ("Z", 7 * MM), ("I", -50 * MM), ("K", 3 * MM)])
+                self.travel(&[sense], &[("X", x), ("Z", 7 * MM), ("I", -50 * MM), ("K", 3 * MM)])
             }
             Fault::ArcNoEndPoint => self.no_end_point(),
             Fault::CoordinateRange => self.coordinate_range(),
@@ -31,7 +31,7 @@ impl Builder<'_, '_, '_> {
     }
 
     /// A block of G91 with these G codes, lengths in nanometres, and F.
-    fn incremental(&mut self, codes: &[i64], lengths: &[(&'static str, i64)]) -> bool {
+    pub(super) fn travel(&mut self, codes: &[i64], lengths: &[(&'static str, i64)]) -> bool {
         let mut items = vec![Item::g(91)];
         items.extend(codes.iter().map(|code| Item::g(*code)));
         for (address, length) in lengths {
@@ -52,7 +52,7 @@ impl Builder<'_, '_, '_> {
         // the sense of the arc is not in the commanded direction.
         let (x, z) = if self.choices.chance(50) { (0, 60 * MM) } else { (60 * MM, 0) };
         let coordinate = if x == 0 { ("Z", z) } else { ("X", x) };
-        self.incremental(&[sense], &[coordinate, ("I", -8 * MM), ("K", -6 * MM)])
+        self.travel(&[sense], &[coordinate, ("I", -8 * MM), ("K", -6 * MM)])
     }
 
     fn coordinate_range(&mut self) -> bool {
@@ -60,8 +60,8 @@ impl Builder<'_, '_, '_> {
         let mode = self.choices.within(0, 1);
         let sign = if self.state.program(axis) < 0 { -1 } else { 1 };
         let most = if self.state.units.system.is_inch() { 250_000 * MM } else { 99_999_999_000 };
-        self.incremental(&[mode], &[(axis.address(), sign * most)]);
-        self.incremental(&[mode], &[(axis.address(), sign * most)])
+        self.travel(&[mode], &[(axis.address(), sign * most)]);
+        self.travel(&[mode], &[(axis.address(), sign * most)])
     }
 
     /// A limit close to the present position, and a motion beyond it.
@@ -84,10 +84,10 @@ impl Builder<'_, '_, '_> {
         if positive {
             let way = [("X", 20 * MM), ("Z", 20 * MM), ("L", 80 * MM)];
             let sense = self.choices.within(2, 3);
-            return self.incremental(&[sense], &way);
+            return self.travel(&[sense], &way);
         }
         let mode = self.choices.within(0, 1);
-        self.incremental(&[mode], &[(axis.address(), -20 * MM)])
+        self.travel(&[mode], &[(axis.address(), -20 * MM)])
     }
 
     fn no_intersection(&mut self) -> bool {
@@ -115,26 +115,26 @@ impl Builder<'_, '_, '_> {
         let any_angle = chamfering == Chamfering::AnyAngle;
         match fault {
             Fault::ChamferDisabled if chamfering == Chamfering::Off => {
-                self.incremental(&[1, code], &[("X", 50 * MM), ("L", MM)])
+                self.travel(&[1, code], &[("X", 50 * MM), ("L", MM)])
             }
-            Fault::ChamferAxes if any_angle => self.incremental(&[1, code], &[("L", MM)]),
+            Fault::ChamferAxes if any_angle => self.travel(&[1, code], &[("L", MM)]),
             Fault::ChamferAxes if chamfering == Chamfering::Basic => {
                 let second = if self.choices.chance(50) { ("Z", 9 * MM) } else { ("A", 9 * MM) };
                 let travel = if self.choices.chance(30) { 0 } else { 50 * MM };
-                self.incremental(&[1, code], &[("X", travel), second, ("L", MM)])
+                self.travel(&[1, code], &[("X", travel), second, ("L", MM)])
             }
             Fault::ChamferTooShort if chamfering != Chamfering::Off => {
-                self.incremental(&[1, code], &[("X", 10 * MM), ("L", 30 * MM)]);
-                self.incremental(&[1], &[("X", 10 * MM), ("Z", 20 * MM)])
+                self.travel(&[1, code], &[("X", 10 * MM), ("L", 30 * MM)]);
+                self.travel(&[1], &[("X", 10 * MM), ("Z", 20 * MM)])
             }
             Fault::ChamferCorner if any_angle => {
-                self.incremental(&[1, code], &[("X", 50 * MM), ("L", MM)]);
+                self.travel(&[1, code], &[("X", 50 * MM), ("L", MM)]);
                 let mode = self.choices.pick(&[0, 2, 3]);
                 let mut way = vec![("X", 9 * MM), ("Z", 9 * MM)];
                 if mode > 0 && self.choices.chance(70) {
                     way.push(("L", 50 * MM));
                 }
-                self.incremental(&[mode], &way)
+                self.travel(&[mode], &way)
             }
             Fault::AngleUnderdetermined if !any_angle => {
                 let mode = self.choices.within(0, 1);
@@ -147,7 +147,7 @@ impl Builder<'_, '_, '_> {
                 } else {
                     vec![("X", 50 * MM), ("L", 0)]
                 };
-                self.incremental(&[1, code], &length)
+                self.travel(&[1, code], &length)
             }
             _ => false,
         }
@@ -158,7 +158,7 @@ impl Builder<'_, '_, '_> {
         if self.choices.chance(50) {
             self.blocks(&["G01 A30 F1"]);
         } else {
-            self.incremental(&[1, code], &[("X", 50 * MM), ("L", MM)]);
+            self.travel(&[1, code], &[("X", 50 * MM), ("L", MM)]);
         }
         let text = self.choices.pick(&[
             "M08",
