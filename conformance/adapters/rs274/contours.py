@@ -15,8 +15,8 @@ import subprocess
 from fractions import Fraction
 
 FORMAT = "0.2.0"
-UNITS = [(Fraction(a * p, c), Fraction(b * q, c)) for a, b, c in ((1, 0, 1), (0, 1, 1), (3, 4, 5), (4, 3, 5), (5, 12, 13),
-         (12, 5, 13)) for p in (1, -1) for q in (1, -1)]
+TRIPLES = [(1, 0, 1), (0, 1, 1), (3, 4, 5), (4, 3, 5), (5, 12, 13), (12, 5, 13)]
+UNITS = [(Fraction(a * p, c), Fraction(b * q, c)) for a, b, c in TRIPLES for p in (1, -1) for q in (1, -1)]
 # A multiple of this times a unit vector is on the grid.
 STEP = Fraction(65, 100)
 RADII = ["0.2", "0.4", "0.8", "1.2"]
