@@ -1,22 +1,23 @@
 #!/usr/bin/env python3
 """Runs the words that the E100L shares with LinuxCNC's interpreter `rs274` on that interpreter.
 
-Reads one case, writes the trace (`../../PROTOCOL.md`). `translate.py` makes the program one of rs274,
-`trace.py` makes events of what it prints; `LEDGER.md` explains where the two controls differ.
+Reads one case, writes the trace (`../../PROTOCOL.md`). `translate.py` makes the program one of rs274, `nose.py` its
+tool table, `trace.py` and `path.py` make events of what it prints; `LEDGER.md` explains where the two controls differ.
 """
 
 import json
 import os
 import subprocess
 import sys
+import tempfile
 
+from nose import Noses
+from path import Path
+from shared import NotShared
 from trace import Machine
-from translate import NotShared, demand_shared_machine, program_text, translate
+from translate import demand_shared_machine, has_compensation, program_text, translate
 
 END, ALARM, UNSUPPORTED, BROKEN = 0, 1, 3, 4
-
-# Now and then rs274 dies of a bus error at its start when several of it run at once: that is no answer.
-ATTEMPTS = 8
 
 
 def main():
@@ -30,11 +31,12 @@ def main():
 
 def run(program, setup):
     demand_shared_machine(setup)
-    blocks, not_shared = translate(program, setup)
-    machine = Machine(blocks, setup["switches"]["optional_stop"])
-    calls, messages = interpreted(program_text(blocks, setup), setup["switches"]["block_delete"])
-    for call in calls:
-        machine.take(call)
+    noses = Noses(setup)
+    blocks, not_shared = translate(program, setup, noses)
+    programmed = {}
+    if has_compensation(blocks):
+        programmed = interpreted(blocks, setup, noses, is_compensated=False)[0].programmed
+    machine, messages = interpreted(blocks, setup, noses, is_compensated=True, programmed=programmed)
     reached_the_rest = not machine.has_ended and (not messages or messages[0].startswith("File ended"))
     if not_shared and reached_the_rest:
         raise NotShared(not_shared)
@@ -45,18 +47,34 @@ def run(program, setup):
     return END if machine.has_ended else ALARM
 
 
-def interpreted(text, block_delete):
-    """The calls that rs274 prints for a program, and its messages."""
-    program = os.memfd_create("program")
-    os.write(program, text.encode("latin-1"))
-    command = ["rs274", *(["-b"] if block_delete else []), "-g", f"/proc/{os.getpid()}/fd/{program}"]
-    for _ in range(ATTEMPTS):
-        done = subprocess.run(command, capture_output=True, text=True, encoding="latin-1", check=False)
-        if done.returncode >= 0:
-            messages = [line.removeprefix("executing") for line in done.stderr.splitlines()]
-            return done.stdout.splitlines(), [line for line in messages if line]
-    print(f"rs274 ends by signal {-done.returncode}", file=sys.stderr)
-    sys.exit(BROKEN)
+def interpreted(blocks, setup, noses, is_compensated, programmed=None):
+    """The machine after the calls that rs274 prints for the blocks, and its messages."""
+    text = program_text(blocks, setup, is_compensated)
+    table = noses.table({nose for block in blocks for nose in block.noses})
+    calls, messages = output(text, table, setup["switches"]["block_delete"])
+    machine = Machine(blocks, setup["switches"]["optional_stop"], Path(noses, programmed or {}))
+    for call in calls:
+        machine.take(call)
+    return machine, messages
+
+
+def output(text, table, block_delete):
+    """What rs274 prints. It keeps the tools in a file of the home directory, so that each run has one of its own."""
+    with tempfile.TemporaryDirectory(prefix="rs274-") as home:
+        program, tools = os.path.join(home, "program.ngc"), os.path.join(home, "tool.tbl")
+        for path, content in ((program, text), (tools, table)):
+            with open(path, "w", encoding="latin-1") as file:
+                file.write(content)
+        command = ["rs274", "-t", tools, *(["-b"] if block_delete else []), "-g", program]
+        environment = {**os.environ, "HOME": home}
+        done = subprocess.run(
+            command, env=environment, capture_output=True, text=True, encoding="latin-1", check=False
+        )
+    if done.returncode < 0:
+        print(f"rs274 ends by signal {-done.returncode}", file=sys.stderr)
+        sys.exit(BROKEN)
+    messages = [line.removeprefix("executing") for line in done.stderr.splitlines()]
+    return done.stdout.splitlines(), [line for line in messages if line]
 
 
 if __name__ == "__main__":

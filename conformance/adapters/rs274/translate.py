@@ -7,7 +7,10 @@ by rs274. What the two dialects do not share is refused (`LEDGER.md` lists it, a
 import re
 from decimal import Decimal
 
-G_CODES = {0, 1, 2, 3, 4, 90, 91, 94, 95, 97}
+from shared import NotShared
+
+G_CODES = {0, 1, 2, 3, 4, 40, 41, 42, 90, 91, 94, 95, 97}
+ARCS, COMPENSATION, COMPENSATED = {2, 3}, {40, 41, 42}, {41, 42}
 M_CODES = {0, 1, 2, 3, 4, 5, 8, 9, 30}
 PROGRAM_ENDS = {2, 30}
 
@@ -21,18 +24,16 @@ COMMENT = re.compile(r"\(([^)]*)\)")
 SEQUENCE = re.compile(r"N(?!OEX)([A-Z][A-Z0-9]{0,4}|[0-9]{1,5})(?=[ \t\r\x7f\x08/(]|$)")
 IGNORED = "[ \r\x7f\x08]*"
 WORD = re.compile(rf"([A-Z])(?![A-Z]){IGNORED}=?{IGNORED}([+-]?{IGNORED}(?:[0-9]{IGNORED}|\.{IGNORED})+)")
+# A comment of rs274 that comes out among the calls, in its place among those that wait for a corner.
+MARK = "(@{})"
 MAJOR_ARC = re.compile("CALRG(?![A-Z0-9])")
 NUMBER = re.compile(r"[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)")
-
-
-class NotShared(Exception):
-    """The program, or the machine, needs something that rs274 does not have or means otherwise."""
 
 
 class Block:
     """One block: its line, its sequence name, its words, and its text for rs274."""
 
-    def __init__(self, line, text):
+    def __init__(self, line, text, noses):
         self.line = line
         place = BLANKS.match(text).end()
         self.is_optional, place = slash(text, place)
@@ -40,13 +41,29 @@ class Block:
         if not self.is_optional:
             self.is_optional, place = slash(text, place)
         self.words = words(text, place)
-        self.text = self.translated([comment[1] for comment in COMMENT.finditer(text)])
+        self.comments = [comment[1] for comment in COMMENT.finditer(text)]
+        self.noses = [noses.of_word(number) for address, number in self.words if address == "T"]
+        if self.compensation_codes() and not self.g_codes() & ARCS and any(a in "IK" for a, _ in self.words):
+            raise NotShared("an imaginary point beside G40, G41 or G42")
 
-    def translated(self, comments):
-        parts = [f"N{self.line}"] if self.words else []
-        parts += [word(address, number, self.words) for address, number in self.words if address != "CALRG"]
-        parts += [f"(- {plain(comment)})" for comment in comments]
-        return ("/" if self.is_optional else "") + " ".join(parts)
+    def text(self, is_compensated):
+        """The lines for rs274, each with the mark that tells its calls; a tool is changed in a line before."""
+        change = [f"T{nose}" for nose in self.noses] + ["M6"] * bool(self.noses)
+        rest = [word(address, number, self.words) for address, number in self.words if address not in ("CALRG", "T")]
+        if not is_compensated:
+            rest = [text for text in rest if text not in ("G41", "G42")]
+        lines = [parts for parts in (change, rest) if parts]
+        texts = [" ".join([f"N{self.line}", *parts, *self.remarks(), MARK.format(self.line)]) for parts in lines]
+        return "\n".join(("/" if self.is_optional else "") + text for text in texts or [" ".join(self.remarks())])
+
+    def remarks(self):
+        return [f"(- {plain(comment)})" for comment in self.comments]
+
+    def g_codes(self):
+        return {int(number) for address, number in self.words if address == "G"}
+
+    def compensation_codes(self):
+        return self.g_codes() & COMPENSATION
 
     def moves(self):
         """Whether the block has a word that asks for motion."""
@@ -56,12 +73,12 @@ class Block:
         return any(address == "M" and int(number) in PROGRAM_ENDS for address, number in self.words)
 
 
-def translate(program, setup):
+def translate(program, setup, noses):
     """The blocks as far as they are shared, and why the rest is not; `None` if all of them are."""
     blocks = []
     for line, text in enumerate(program.split("\n"), 1):
         try:
-            block = Block(line, text)
+            block = Block(line, text, noses)
         except NotShared as reason:
             return blocks, f"line {line}: {reason}"
         blocks.append(block)
@@ -78,10 +95,15 @@ def demand_shared_machine(setup):
         raise NotShared("travel limits, or a W axis")
 
 
-def program_text(blocks, setup):
-    """The program for rs274: the machine is prepared, then brought to the place where it starts."""
+def has_compensation(blocks):
+    return any(block.g_codes() & COMPENSATED for block in blocks)
+
+
+def program_text(blocks, setup, is_compensated):
+    """The program for rs274, with G41 and G42 or without: the machine is prepared, then brought to the place
+    where it starts."""
     x, z = (Decimal(str(setup["start"][axis])) - Decimal(str(setup["zero_offset"][axis])) for axis in "xz")
-    return "\n".join([PRELUDE, f"G0 X{x} Z{z}", *(block.text for block in blocks), ""])
+    return "\n".join([PRELUDE, f"G0 X{x} Z{z}", *(block.text(is_compensated) for block in blocks), ""])
 
 
 def slash(text, place):
@@ -119,6 +141,7 @@ def shared_number(address, text):
     if address == "G":
         if not re.fullmatch("[0-9]{1,3}", text) or int(text) not in G_CODES:
             raise NotShared(f"G{text}")
+        return str(int(text))
     elif address == "M":
         if Decimal(text) not in M_CODES:
             raise NotShared(f"M{text}")
@@ -129,6 +152,9 @@ def shared_number(address, text):
     elif address == "S":
         if decimals or Decimal(text) == 0:
             raise NotShared(f"S{text}: a fraction of the unit, or no speed")
+    elif address == "T":
+        if not re.fullmatch("[0-9]{1,6}", text):
+            raise NotShared(f"T{text}")
     elif address != "F":
         raise NotShared(f"address {address}")
     return text
