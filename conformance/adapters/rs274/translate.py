@@ -128,6 +128,8 @@ def words(text, place):
         else:
             raise NotShared(repr(text[place:]))
         place = BLANKS.match(text, found.end()).end()
+    if found_words.count(("CALRG", "")) > 1:
+        raise NotShared("CALRG twice")
     if ("CALRG", "") in found_words and not any(address == "L" for address, _ in found_words):
         raise NotShared("CALRG without L")
     return found_words
