@@ -6,7 +6,7 @@ use std::fmt::Write;
 use serde_json::{Map, Value};
 use turnspec_oracle::book::{self, Example, RuleText};
 use turnspec_oracle::vocabulary::notation::Expectation;
-use turnspec_oracle::vocabulary::{Control, Event, RuleId};
+use turnspec_oracle::vocabulary::{Control, Event, ProgramText, RuleId};
 
 use crate::corpus::{CorpusIndex, FORMAT, INDEX, IndexEntry};
 use crate::{Basis, Case, Flag, cases, features_of, text_of_bytes};
@@ -67,7 +67,12 @@ fn examples(rule: &RuleText) -> Result<Vec<Case>, String> {
 /// The case of an example. Its features come from the oracle's trace, what it expects from the text alone.
 fn case(rule: &RuleText, number: usize, example: &Example, derivation: String) -> Result<Case, String> {
     let setup = example.setup().map_err(|error| error.to_string())?;
-    let written: Map<String, Value> = toml::from_str(&example.setup).map_err(|error| error.to_string())?;
+    let mut written: Map<String, Value> =
+        toml::from_str(&example.setup).map_err(|error| error.to_string())?;
+    if !example.library.is_empty() {
+        let text = |(name, text): &(String, ProgramText)| (name.clone(), text_of_bytes(&text.0).into());
+        written.insert("library".to_owned(), Value::Object(example.library.iter().map(text).collect()));
+    }
     let mut trace = Vec::new();
     turnspec_oracle::run(&example.program, &setup, &mut |event: &Event| trace.push(*event));
     let expect = Expectation::parse(&example.trace).lines().to_vec();

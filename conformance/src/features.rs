@@ -1,12 +1,12 @@
 //! What an implementation needs for a program: one criterion a feature, judged by the words of the program,
 //! the set-up and the trace.
 //!
-//! Words behind the block that ends the run do not count.
+//! Words behind the block that ends the run do not count, unless the program has statements that lead there.
 
 use std::collections::BTreeSet;
 
 use turnspec_oracle::vocabulary::{
-    Action, Event, Feature, FrameCause, Limits, Setup, SpindleName, TapeCode, UnitSystem,
+    Action, Event, Feature, FrameCause, Limit, Setup, SpindleName, TapeCode, UnitSystem,
 };
 
 use crate::words::Words;
@@ -15,7 +15,13 @@ use crate::words::Words;
 #[must_use]
 pub fn features_of(program: &[u8], setup: &Setup, trace: &[Event]) -> BTreeSet<Feature> {
     let end = trace.last().map_or(program.len(), |event| event.block.end as usize);
-    let words = Words::of(program.get(..end).unwrap_or(program), setup.tape.code);
+    let mut words = Words::of(program, setup.tape.code);
+    if setup.library.is_empty() && !["GOTO", "IF", "CALL"].iter().any(|name| words.names.contains(*name)) {
+        words = Words::of(program.get(..end).unwrap_or(program), setup.tape.code);
+    }
+    for text in setup.library.values() {
+        words.join(Words::of(&text.0, setup.tape.code));
+    }
     let evidence = Evidence { words, setup, trace };
     CRITERIA
         .iter()
@@ -54,6 +60,7 @@ criteria! {
     Chamfer "G75" |has| has.g(&[75]);
     Comment "a parenthesis" |has| has.words.comment;
     Coolant "a `coolant` event" |has| has.kind(|action| matches!(action, Action::Coolant { .. }));
+    ControlStatement "GOTO, IF" |has| has.name("GOTO") || has.name("IF");
     CuttingSpeed "G96" |has| has.g(&[96]);
     Dwell "G04" |has| has.g(&[4]);
     Expression "an operator, a function, a bracket other than a plain subscript, a variable as a value"
@@ -62,10 +69,16 @@ criteria! {
     Function "a name with brackets that is no variable" |has| has.words.function;
     Gear "M40 to M44; gears in the set-up" |has| has.m(&[40, 41, 42, 43, 44]) || !has.setup.spindle.gear.is_empty();
     Incremental "G91" |has| has.g(&[91]);
-    Limits "travel limits in the set-up; a rule of LIM" |has| has.setup.limits != Limits::default()
+    Limits "travel limits in the set-up; a rule of LIM" |has| [has.setup.limits.x, has.setup.limits.z, has.setup.limits.w].iter().any(|limit| *limit != Limit::default())
         || has.area(&["LIM"]);
     Linear "G01; a `linear` event" |has| has.g(&[1]) || has.kind(|action| matches!(action, Action::Linear { .. }));
+    LocalVariable "a rule of LVAR" |has| has.area(&["LVAR"]);
     MTool "address SB; a command to the spindle `tool`" |has| has.name("SB") || has.spindle(SpindleName::Tool);
+    MacroCode "G161 to G171, G205 to G214, M321 to M325, M341 to M360" |has|
+        has.words.g.iter().any(|code| matches!(code, 161..=171 | 205..=214))
+        || has.words.m.iter().any(|code| matches!(code, 321..=325 | 341..=360));
+    ModalCall "MODIN, MODOUT, G161 to G170" |has| has.name("MODIN") || has.name("MODOUT")
+        || has.words.g.iter().any(|code| matches!(code, 161..=170));
     OptionalStop "M01" |has| has.m(&[1]);
     ProgramName "a program name, a file header, a percent sign" |has| has.words.program_name;
     RadiusCompensation "G17, G18, G119, G40 to G42; a rule of NRC, CRC" |has| has.g(&[17, 18, 119, 40, 41, 42])
@@ -75,6 +88,8 @@ criteria! {
     SequenceName "a sequence name" |has| has.words.sequence;
     Spindle "address S; M03, M04, M05, M19; a command to the spindle `main`" |has| has.letter('S')
         || has.m(&[3, 4, 5, 19]) || has.spindle(SpindleName::Main);
+    Subprogram "CALL, RTS; a `call` event" |has| has.name("CALL") || has.name("RTS")
+        || has.kind(|action| matches!(action, Action::Call { .. }));
     SystemVariable "a variable with a name" |has| !has.words.system_variables.is_empty();
     TapeCode "another code than `ascii` in the set-up" |has| has.setup.tape.code != TapeCode::Ascii;
     TimeOver "the check enabled in the set-up" |has| has.setup.stm.enabled;

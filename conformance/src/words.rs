@@ -64,6 +64,24 @@ impl Words {
         words
     }
 
+    /// Adds the words of another text.
+    pub fn join(&mut self, other: Self) {
+        self.g.extend(other.g);
+        self.m.extend(other.m);
+        self.letters.extend(other.letters);
+        self.names.extend(other.names);
+        self.system_variables.extend(other.system_variables);
+        self.variable |= other.variable;
+        self.function |= other.function;
+        self.boolean |= other.boolean;
+        self.expression |= other.expression;
+        self.comment |= other.comment;
+        self.slash |= other.slash;
+        self.sequence |= other.sequence;
+        self.program_name |= other.program_name;
+        self.zero_shift |= other.zero_shift;
+    }
+
     /// Program name, slash and sequence name; the rest of the line.
     fn beginning<'t>(&mut self, line: &'t str) -> &'t str {
         if line.starts_with(['O', ':', '%']) {

@@ -1,10 +1,10 @@
 //! The rule texts: embedded, read, and ready to be shown or run.
 //!
 //! A rule is a heading `### E100L-G50-01 · title`, a list of `- key: value` lines, a statement, and examples:
-//! a fence `nc`, an optional fence `toml`, a fence `trace`, with the paragraph in front of them and, if a drawing
+//! a fence `nc`, optional fences such as `sub PULL.SUB` with files of the library, an optional fence `toml`, a fence `trace`, with the paragraph in front of them and, if a drawing
 //! is wanted, an image behind them.
 
-use crate::vocabulary::{AlarmName, RuleId, Setup, SetupError};
+use crate::vocabulary::{AlarmName, ProgramText, RuleId, Setup, SetupError};
 
 /// The text of a rule.
 #[derive(Clone, Debug, PartialEq)]
@@ -38,7 +38,9 @@ pub struct Example {
     pub introduction: String,
     /// The program.
     pub program: Vec<u8>,
-    /// The set-up, as TOML; empty for the default one.
+    /// The files of the library, by name.
+    pub library: Vec<(String, ProgramText)>,
+    /// The set-up without the library, as TOML; empty for the default one.
     pub setup: String,
     /// The expected trace in compact notation.
     pub trace: String,
@@ -65,12 +67,15 @@ impl Drawing {
 }
 
 impl Example {
-    /// The set-up that the example runs on.
+    /// The set-up that the example runs on, with the library.
     ///
     /// # Errors
     /// When the set-up text is faulty.
     pub fn setup(&self) -> Result<Setup, SetupError> {
-        Setup::from_toml(&self.setup)
+        let mut setup = Setup::from_toml(&self.setup)?;
+        setup.library.extend(self.library.iter().cloned());
+        setup.validate()?;
+        Ok(setup)
     }
 }
 
@@ -215,6 +220,7 @@ impl<'a> Reader<'a> {
                     rule.examples.push(Example {
                         introduction,
                         program,
+                        library: Vec::new(),
                         setup: String::new(),
                         trace: String::new(),
                         line: number + 1,
@@ -229,6 +235,14 @@ impl<'a> Reader<'a> {
                         return Err(self.fault(number, "a set-up or trace without program"));
                     };
                     *(if line == "```toml" { &mut example.setup } else { &mut example.trace }) = text;
+                }
+                _ if library_file(line).is_some() => {
+                    let text = ProgramText(unescape(&self.fence(number)?));
+                    let Some(example) = rule.examples.last_mut().filter(|example| example.trace.is_empty())
+                    else {
+                        return Err(self.fault(number, "a library file without program"));
+                    };
+                    example.library.extend(library_file(line).map(|name| (name.to_owned(), text)));
                 }
                 _ if line.starts_with("![") => {
                     let wanting = |example: &&mut Example| {
@@ -265,6 +279,12 @@ impl<'a> Reader<'a> {
         }
         Err(self.fault(start, "a fence that does not end"))
     }
+}
+
+/// The file name of a fence such as `sub PULL.SUB`.
+fn library_file(line: &str) -> Option<&str> {
+    let (kind, name) = line.strip_prefix("```")?.split_once(' ')?;
+    ["sub", "ssb", "msb", "min"].contains(&kind).then_some(name)
 }
 
 /// `\xHH` stands for a byte.

@@ -4,8 +4,8 @@ use std::fmt::Write;
 
 use turnspec_oracle::vocabulary::notation::{feed_unit_text, value_text};
 use turnspec_oracle::vocabulary::{
-    Action, Alarm, Angle, Event, Feed, FrameCause, Length, Motion, Sense, SpeedLimit, Spindle, SpindleName,
-    SpindleState, Value,
+    Action, Alarm, Angle, CallCause, Event, Feed, FrameCause, Length, Motion, Sense, SpeedLimit, Spindle,
+    SpindleName, SpindleState, Value,
 };
 
 /// What happens, in program coordinates; of a motion in radius compensation also where the tip is.
@@ -37,6 +37,12 @@ pub fn describe(event: &Event) -> String {
             format!("{}: {code} instead of {previous}", spaced(group.as_str()))
         }
         Action::Variable { name, value } => format!("{name} = {}{}", value_text(value), value_unit(value)),
+        Action::Call { name, cause } => match cause {
+            CallCause::Call => format!("call {name}"),
+            CallCause::Macro => format!("call {name} by a macro code"),
+            CallCause::Modal => format!("modal call {name}"),
+        },
+        Action::Return => "return".to_owned(),
         Action::Stop => "program stop".to_owned(),
         Action::OptionalStop => "optional stop".to_owned(),
         Action::End { code } => format!("end of the program ({code})"),

@@ -281,6 +281,7 @@ fn foreign_event(event: &Event, features: &[Feature]) -> String {
         Action::Torque { .. } => has(Feature::Torque),
         Action::Frame { .. } => has(Feature::ZeroShift) || has(Feature::SystemVariable) || has(Feature::Tool),
         Action::Variable { .. } => has(Feature::Variable) || has(Feature::SystemVariable),
+        Action::Call { .. } | Action::Return => has(Feature::Subprogram),
         Action::Stop | Action::OptionalStop => has(Feature::OptionalStop),
         Action::Mode { .. } | Action::End { .. } | Action::Alarm(_) => true,
     };

@@ -80,7 +80,9 @@ alarms! {
     SequenceDelimiterMissing "sequence_delimiter_missing" None, "no blank after a sequence name";
     SequenceNameDuplicate "sequence_name_duplicate" None, "sequence name used twice";
     SlashMisplaced "slash_misplaced" None, "block delete mark in a wrong place";
+    ProgramKind "program_kind" None, "a subprogram cannot be started by itself";
     StatementMisplaced "statement_misplaced" None, "control statement not at the beginning of its block";
+    StatementDelimiterMissing "statement_delimiter_missing" None, "no blank after a control statement or a name";
     Format "format" None, "format error";
     NumberMalformed "number_malformed" None, "malformed number";
     TooManyDigits "too_many_digits" None, "number of more than eight digits";
@@ -94,6 +96,9 @@ alarms! {
     VariableSuffix "variable_suffix" None, "wrong suffix of a system variable";
     VariableReadOnly "variable_read_only" None, "assignment to a read-only variable";
     VariableRange "variable_range" None, "variable value out of range";
+    LocalNameMalformed "local_name_malformed" None, "malformed name of a local variable";
+    LocalUndefined "local_undefined" None, "local variable without value";
+    LocalCapacity "local_capacity" None, "more than 127 local variables";
     DuplicateAddress "duplicate_address" None, "address used twice in a block";
     TooManyM "too_many_m" None, "more than eight M codes in a block";
     AddressRange "address_range" None, "value out of the range of its address";
@@ -149,6 +154,16 @@ alarms! {
     RealOverflow "real_overflow" None, "real overflow";
     FunctionDomain "function_domain" None, "argument outside the domain of its function";
     UserTaskLevel "user_task_level" None, "needs User Task 2";
+    SequenceNameUnknown "sequence_name_unknown" None, "no block with the sequence name";
+    ProgramUnknown "program_unknown" None, "no program with the name";
+    ProgramDuplicate "program_duplicate" None, "two programs with one name";
+    CallDepth "call_depth" None, "too many subprograms within each other";
+    NoReturn "no_return" None, "subprogram without RTS";
+    ReturnOutsideSubprogram "return_outside_subprogram" None, "RTS outside a subprogram";
+    ModinDepth "modin_depth" None, "more than eight MODIN modes";
+    ModoutWithoutModin "modout_without_modin" None, "MODOUT without MODIN";
+    MacroUnassigned "macro_unassigned" None, "macro code without a program";
+    StepLimit "step_limit" None, "step limit reached";
     NoProgramEnd "no_program_end" None, "no M02 or M30";
     Unspecified "unspecified" None, "not defined by the manual";
     NotModelled "not_modelled" None, "not modelled yet";

@@ -149,6 +149,15 @@ pub enum Action {
         /// Its new value.
         value: Value,
     },
+    /// A subprogram begins.
+    Call {
+        /// Its program name, with its `O`.
+        name: Label,
+        /// What called it.
+        cause: CallCause,
+    },
+    /// A subprogram ends, and the program that it was called from goes on.
+    Return,
     /// Program stop.
     Stop,
     /// Optional stop, with the switch on.
@@ -323,6 +332,19 @@ pub enum FrameCause {
     ZeroShift,
     /// The active tool offset.
     ToolOffset,
+}
+
+/// What called a subprogram.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(rename_all = "snake_case")]
+pub enum CallCause {
+    /// CALL.
+    Call,
+    /// A G or M code macro that calls.
+    Macro,
+    /// A motion while a MODIN mode is active.
+    Modal,
 }
 
 /// The value of a variable.

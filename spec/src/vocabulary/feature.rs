@@ -46,6 +46,8 @@ features! {
     Comment "comment"
     /// Coolant on and off.
     Coolant "coolant"
+    /// GOTO and IF.
+    ControlStatement "control-statement"
     /// G96.
     CuttingSpeed "cutting-speed"
     /// G04.
@@ -64,8 +66,14 @@ features! {
     Limits "limits"
     /// Linear motion.
     Linear "linear"
+    /// Local variables.
+    LocalVariable "local-variable"
     /// Rotary tools.
     MTool "m-tool"
+    /// G and M codes that call a subprogram.
+    MacroCode "macro-code"
+    /// MODIN and MODOUT.
+    ModalCall "modal-call"
     /// M01.
     OptionalStop "optional-stop"
     /// Program names, headers and what else surrounds the blocks of a program.
@@ -80,6 +88,8 @@ features! {
     SequenceName "sequence-name"
     /// The main spindle.
     Spindle "spindle"
+    /// CALL and RTS.
+    Subprogram "subprogram"
     /// System variables.
     SystemVariable "system-variable"
     /// Text in another code than seven-bit characters.

@@ -11,6 +11,7 @@ mod feature;
 mod label;
 pub mod notation;
 mod place;
+mod program_text;
 mod reading;
 mod rule;
 pub mod rule_ids;
@@ -21,12 +22,13 @@ mod unit;
 
 pub use alarm::{Alarm, AlarmName};
 pub use event::{
-    Action, Ending, Event, Feed, FeedUnit, FrameCause, Motion, PlanePosition, Position, Sense, Sink,
-    SpeedLimit, Spindle, SpindleName, SpindleState, Value,
+    Action, CallCause, Ending, Event, Feed, FeedUnit, FrameCause, Motion, PlanePosition, Position, Sense,
+    Sink, SpeedLimit, Spindle, SpindleName, SpindleState, Value,
 };
 pub use feature::Feature;
 pub use label::Label;
 pub use place::Place;
+pub use program_text::ProgramText;
 pub use reading::{
     ArcOneCoordinate, ChamferLeg, FeedLength, InchConversion, IncrementalAfterChamfer, Reading, ReadingSet,
     Readings, SpeedClamp, ToolOffsetSign,

@@ -74,6 +74,15 @@ pub fn fields(event: &Event) -> Vec<(&'static str, String)> {
         Action::Variable { name, value } => {
             list.kind("variable").add("name", name).add("value", &value_text(value))
         }
+        Action::Call { name, cause } => {
+            let cause = match cause {
+                super::CallCause::Call => "call",
+                super::CallCause::Macro => "macro",
+                super::CallCause::Modal => "modal",
+            };
+            list.kind("call").add("name", name).add("cause", &cause)
+        }
+        Action::Return => list.kind("return"),
         Action::Stop => list.kind("stop"),
         Action::OptionalStop => list.kind("optional_stop"),
         Action::End { code } => list.kind("end").add("code", code),

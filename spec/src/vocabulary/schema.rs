@@ -4,7 +4,9 @@ use std::borrow::Cow;
 
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 
-use super::{Angle, CuttingSpeed, Duration, FeedRate, Label, Length, Reading, ReadingSet, RuleSet, Speed};
+use super::{
+    Angle, CuttingSpeed, Duration, FeedRate, Label, Length, ProgramText, Reading, ReadingSet, RuleSet, Speed,
+};
 
 macro_rules! decimal_schema {
     ($($type:ident $unit:literal)*) => {$(
@@ -42,6 +44,19 @@ impl JsonSchema for Label {
 
     fn json_schema(_: &mut SchemaGenerator) -> Schema {
         json_schema!({ "type": "string", "maxLength": 23 })
+    }
+}
+
+impl JsonSchema for ProgramText {
+    fn schema_name() -> Cow<'static, str> {
+        "ProgramText".into()
+    }
+
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        json_schema!({
+            "description": "The bytes of a program, one character a byte (U+0000 to U+00FF)",
+            "type": "string"
+        })
     }
 }
 

@@ -10,7 +10,7 @@ use std::fmt;
 
 use serde::{Deserialize, Serialize};
 
-use super::{Angle, Duration, Length, Readings, Speed};
+use super::{Angle, Duration, Label, Length, ProgramText, Readings, Speed};
 
 macro_rules! table {
     ($(#[$meta:meta])* $name:ident { $($(#[$fmeta:meta])* $field:ident : $type:ty = $default:expr),* $(,)? }) => {
@@ -65,6 +65,11 @@ table! {
         inputs: Inputs = Inputs::default(),
         /// Initial values of common variables, by name (`V1` to `V200`).
         variables: BTreeMap<String, f64> = BTreeMap::new(),
+        /// The programs that macro codes call, by code (`G161` to `G171`, `G205` to `G214`, `M321` to `M325`,
+        /// `M341` to `M360`), with their `O`.
+        macros: BTreeMap<String, Label> = BTreeMap::new(),
+        /// Files with programs that can be called, by file name, such as `PULL.SUB`.
+        library: BTreeMap<String, ProgramText> = BTreeMap::new(),
         /// Readings of what the manual leaves open.
         readings: Readings = Readings::default(),
     }
@@ -117,6 +122,8 @@ table! {
         circular_radius_tolerance: Length = Length(20_000),
         /// (OTHER FUNCTION 1) automatic and any-angle chamfering.
         chamfering: Chamfering = Chamfering::AnyAngle,
+        /// How many called programs may be active at a time, 1 to 126.
+        call_depth: u8 = 8,
         /// (OTHER FUNCTION 2) upper limit of the torque of G29, percent, 1 to 100.
         torque_limit_upper: u8 = 100,
         /// (OTHER FUNCTION 2) torque monitoring delay of G22 in units of 10 ms, 0 to 9999.
@@ -222,7 +229,7 @@ table! {
 }
 
 table! {
-    /// Variable travel limits in machine coordinates.
+    /// Variable travel limits in machine coordinates, and the limit of a run.
     Limits {
         /// X, as a diameter.
         x: Limit = Limit::default(),
@@ -230,6 +237,8 @@ table! {
         z: Limit = Limit::default(),
         /// W.
         w: Limit = Limit::default(),
+        /// How many blocks a run may begin, at least 1.
+        steps: u64 = 10_000_000,
     }
 }
 

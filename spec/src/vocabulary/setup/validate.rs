@@ -30,7 +30,9 @@ impl Setup {
         if stops.iter().any(|stop| !within(*stop, 2 * Self::COORDINATE)) {
             return fault("inputs.torque_stops: a coordinate is out of range");
         }
-        self.variables()
+        self.variables()?;
+        self.macros()?;
+        self.library()
     }
 
     fn options(&self) -> Checked {
@@ -57,10 +59,43 @@ impl Setup {
         let tolerance = parameters.circular_radius_tolerance;
         require((0..=1_000_000).contains(&tolerance.0), || {
             format!("parameters.circular_radius_tolerance is {tolerance}, must be 0 to 1")
+        })?;
+        require((1..=126).contains(&parameters.call_depth), || {
+            format!("parameters.call_depth is {}, must be 1 to 126", parameters.call_depth)
         })
     }
 
+    /// A program name (E100L-NAME-01) behind each macro code.
+    fn macros(&self) -> Checked {
+        for (code, name) in &self.macros {
+            let number = code.get(1..).and_then(|digits| digits.parse::<u16>().ok());
+            let known = match (code.get(..1), number) {
+                (Some("G"), Some(number)) => matches!(number, 161..=171 | 205..=214),
+                (Some("M"), Some(number)) => matches!(number, 321..=325 | 341..=360),
+                _ => false,
+            };
+            require(known && code.len() == 4, || format!("macros: {code:?} is no macro code"))?;
+            require(is_program_name(name.as_str()), || format!("macros.{code}: {name} is no program name"))?;
+        }
+        Ok(())
+    }
+
+    /// A file name (E100L-PROG-05) before each text.
+    fn library(&self) -> Checked {
+        for (name, text) in &self.library {
+            require(is_file_name(name), || {
+                format!(
+                    "library: {name:?} is no file name: a letter, at most 15 more letters, digits or hyphens, and \
+                     .SUB, .SSB, .MSB or .MIN"
+                )
+            })?;
+            require(u32::try_from(text.0.len()).is_ok(), || format!("library: {name} holds 4 GiB or more"))?;
+        }
+        Ok(())
+    }
+
     fn limits(&self) -> Checked {
+        require(self.limits.steps > 0, || "limits.steps is 0, must be at least 1".to_owned())?;
         for (axis, limit) in [("x", self.limits.x), ("z", self.limits.z), ("w", self.limits.w)] {
             for value in [limit.positive, limit.negative].into_iter().flatten() {
                 require(within(value, Self::COORDINATE) && in_steps(value), || {
@@ -102,6 +137,25 @@ fn fault<T>(message: impl Into<String>) -> Result<T, SetupError> {
 
 fn require(holds: bool, message: impl Fn() -> String) -> Checked {
     if holds { Ok(()) } else { fault(message()) }
+}
+
+/// `O` and one to four letters and digits, digits only behind a digit.
+fn is_program_name(name: &str) -> bool {
+    let Some(run) = name.strip_prefix('O') else { return false };
+    let alphanumeric = run.bytes().all(|byte| byte.is_ascii_uppercase() || byte.is_ascii_digit());
+    let letter_first = run.starts_with(|first: char| first.is_ascii_uppercase());
+    (1..=4).contains(&run.len())
+        && alphanumeric
+        && (letter_first || run.bytes().all(|byte| byte.is_ascii_digit()))
+}
+
+fn is_file_name(name: &str) -> bool {
+    let Some((stem, extension)) = name.rsplit_once('.') else { return false };
+    let fits = |byte: u8| byte.is_ascii_uppercase() || byte.is_ascii_digit() || byte == b'-';
+    stem.starts_with(|first: char| first.is_ascii_uppercase())
+        && stem.len() <= 16
+        && stem.bytes().all(fits)
+        && ["SUB", "SSB", "MSB", "MIN"].contains(&extension)
 }
 
 fn within(value: Length, limit: i64) -> bool {
