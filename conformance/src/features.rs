@@ -53,6 +53,7 @@ criteria! {
     AnyAngle "address A; a rule of ANG" |has| has.letter('A') || has.area(&["ANG"]);
     Arc "G02, G03; an `arc` event" |has| has.g(&[2, 3]) || has.kind(|action| matches!(action, Action::Arc { .. }));
     Aux "an `aux` event" |has| has.kind(|action| matches!(action, Action::Aux { .. }));
+    Barrier "M21, M25" |has| has.m(&[21, 25]);
     BlockDelete "a slash in front of a block or behind its sequence name" |has| has.words.slash;
     Boolean "AND, OR, EOR, NOT" |has| has.words.boolean;
     CAxis "address C; M109, M110; a rule of CAX, CFEED" |has| has.letter('C') || has.m(&[109, 110])

@@ -109,6 +109,7 @@ chapters! {
     "e100l/tools.md"
     "e100l/miscellaneous.md"
     "e100l/c-axis.md"
+    "e100l/barriers.md"
 }
 
 /// Every rule of the OSP-E100L, in the order of the book.

@@ -37,8 +37,8 @@ fn faults_are_named() {
     refused("[start]\nx = nan", "a number of millimetres");
     refused("[start]\nx = 100000", "start.x is 100000");
     refused("[start]\nx = 0.0001", "finer than 0.001");
-    refused("[barriers]\nchuck_length = -1", "barriers: sizes");
-    refused("[barriers]\nchuck_length = 10000", "barriers: sizes");
+    refused("[barriers]\ngrip_length = -1", "barriers: sizes");
+    refused("[barriers]\ngrip_length = 10000", "barriers: sizes");
     refused("[barriers]\nchuck_x = 10000", "barriers: sizes");
     refused("[options]\noffset_sets = 33", "must be 32, 64 or 96");
     refused("[options]\nuser_task = 3", "must be 1 or 2");

@@ -1,9 +1,9 @@
 //! Set-ups: the default one often, else machines with other units, options, offsets, limits and readings.
 
 use turnspec_oracle::vocabulary::{
-    Angle, ArcOneCoordinate, AxisAmounts, ChamferLeg, Chamfering, Duration, Feature, FeedLength, Gear,
-    InchConversion, IncrementalAfterChamfer, Length, Limit, Readings, Setup, Speed, SpeedClamp, TapeCode,
-    ToolOffset, ToolOffsetSign, UnitSystem,
+    Angle, ArcOneCoordinate, AxisAmounts, BarrierPath, ChamferLeg, Chamfering, Duration, Feature, FeedLength,
+    Gear, InchConversion, IncrementalAfterChamfer, Length, Limit, Readings, Setup, Speed, SpeedClamp,
+    TapeCode, ToolOffset, ToolOffsetSign, UnitSystem,
 };
 
 use crate::choices::Choices;
@@ -172,6 +172,7 @@ fn readings(choices: &mut Choices<'_, '_>) -> Readings {
             .pick(&[IncrementalAfterChamfer::Corner, IncrementalAfterChamfer::End]),
         feed_length: choices.pick(&[FeedLength::Radius, FeedLength::Diameter]),
         tool_offset: choices.pick(&[ToolOffsetSign::Added, ToolOffsetSign::Subtracted]),
+        barrier_path: choices.pick(&[BarrierPath::Line, BarrierPath::Ends]),
         speed_clamp: choices.pick(&[SpeedClamp::Always, SpeedClamp::CuttingSpeed]),
     }
 }

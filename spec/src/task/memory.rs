@@ -37,12 +37,12 @@ impl Memory {
         }
         let b = &setup.barriers;
         let barriers = [
-            b.chuck_length,
-            b.chuck_diameter,
+            b.grip_length,
+            b.grip_height,
             b.chuck_x,
             b.chuck_z,
-            b.tailstock_length,
-            b.tailstock_diameter,
+            b.front_length,
+            b.front_diameter,
             b.centre_diameter,
             b.workpiece_end,
         ];

@@ -147,6 +147,7 @@ alarms! {
     NoFeed "no_feed" None, "cutting motion without feed";
     TravelLimitNegative "travel_limit_negative" None, "target beyond the negative travel limit";
     TravelLimitPositive "travel_limit_positive" None, "target beyond the positive travel limit";
+    Barrier "barrier" None, "motion into a barrier";
     TurretClamp "turret_clamp" Some(1730), "turret clamp or position code";
     StmOver "stm_over" None, "S, T or M function took too long";
     DivisionByZero "division_by_zero" None, "division by zero";

@@ -34,6 +34,8 @@ features! {
     Arc "arc"
     /// M codes without an event of their own.
     Aux "aux"
+    /// The chuck and tailstock barriers.
+    Barrier "barrier"
     /// Blocks with a slash.
     BlockDelete "block-delete"
     /// Operators on bits.

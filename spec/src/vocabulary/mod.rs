@@ -30,8 +30,8 @@ pub use label::Label;
 pub use place::Place;
 pub use program_text::ProgramText;
 pub use reading::{
-    ArcOneCoordinate, ChamferLeg, FeedLength, InchConversion, IncrementalAfterChamfer, Reading, ReadingSet,
-    Readings, SpeedClamp, ToolOffsetSign,
+    ArcOneCoordinate, BarrierPath, ChamferLeg, FeedLength, InchConversion, IncrementalAfterChamfer, Reading,
+    ReadingSet, Readings, SpeedClamp, ToolOffsetSign,
 };
 pub use rule::{RuleId, RuleSet};
 pub use setup::{

@@ -88,6 +88,13 @@ readings! {
         /// Machine coordinate = program coordinate + offsets - tool offset.
         Subtracted "subtracted"
     }
+    /// E100L-BARR-08: what of a positioning the barriers watch.
+    barrier_path: BarrierPath {
+        /// The straight line to its end.
+        #[default] Line "line",
+        /// Its end alone.
+        Ends "ends"
+    }
     /// E100L-SMAX-02: where the clamp of `G50 S` acts.
     speed_clamp: SpeedClamp {
         /// On every spindle speed.

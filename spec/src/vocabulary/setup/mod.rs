@@ -256,24 +256,36 @@ table! {
 }
 
 table! {
-    /// Chuck and tailstock barrier data, by the manual's letters.
+    /// Chuck and tailstock barrier data (E100L-BARR-02, E100L-BARR-03), by the manual's letters.
     #[derive(Copy)]
     Barriers {
-        /// Chuck jaw dimension L1.
-        chuck_length: Length = Length(0),
-        /// Chuck jaw dimension D1.
-        chuck_diameter: Length = Length(0),
-        /// Chuck jaw position CX.
+        /// Length L of the chuck jaw.
+        jaw_length: Length = Length(0),
+        /// Size D of the chuck jaw in the direction of the radius.
+        jaw_height: Length = Length(0),
+        /// Length L1 of the gripping part of the jaw.
+        grip_length: Length = Length(0),
+        /// Width D1 of the gripping face.
+        grip_height: Length = Length(0),
+        /// Gripping diameter CX.
         chuck_x: Length = Length(0),
-        /// Chuck jaw position CZ.
+        /// Z of the front face of the jaw, CZ, from program zero.
         chuck_z: Length = Length(0),
-        /// Tailstock spindle projection L2.
-        tailstock_length: Length = Length(0),
-        /// Tailstock spindle diameter D2.
-        tailstock_diameter: Length = Length(0),
-        /// Tailstock centre diameter D3.
+        /// Length L of the rear step of the tailstock.
+        rear_length: Length = Length(0),
+        /// Diameter D of the rear step.
+        rear_diameter: Length = Length(0),
+        /// Length L1 of the middle step.
+        middle_length: Length = Length(0),
+        /// Diameter D1 of the middle step.
+        middle_diameter: Length = Length(0),
+        /// Length L2 of the front step, the projection of the tailstock spindle.
+        front_length: Length = Length(0),
+        /// Diameter D2 of the front step.
+        front_diameter: Length = Length(0),
+        /// Diameter D3 of the centre.
         centre_diameter: Length = Length(0),
-        /// Workpiece end face WR.
+        /// Z of the end face of the workpiece, WR, from program zero.
         workpiece_end: Length = Length(0),
     }
 }

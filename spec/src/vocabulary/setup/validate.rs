@@ -195,11 +195,13 @@ fn entries(name: &str, sets: u8, table: impl Iterator<Item = (u8, Length, Length
 
 fn barriers(barriers: &Barriers) -> Checked {
     let b = barriers;
-    let sizes =
-        [b.chuck_length, b.chuck_diameter, b.tailstock_length, b.tailstock_diameter, b.centre_diameter];
+    let jaw = [b.jaw_length, b.jaw_height, b.grip_length, b.grip_height];
+    let lengths = [b.rear_length, b.middle_length, b.front_length];
+    let diameters = [b.rear_diameter, b.middle_diameter, b.front_diameter, b.centre_diameter];
+    let mut sizes = jaw.iter().chain(&lengths).chain(&diameters);
     let places = [b.chuck_x, b.chuck_z, b.workpiece_end];
     let fits = |value: &Length| within(*value, 9_999_999_000) && in_steps(*value);
-    require(sizes.iter().all(|size| size.0 >= 0 && fits(size)) && places.iter().all(fits), || {
+    require(sizes.all(|size| size.0 >= 0 && fits(size)) && places.iter().all(fits), || {
         "barriers: sizes must be 0 to 9999.999, positions within 9999.999, in steps of 0.001".to_owned()
     })
 }
