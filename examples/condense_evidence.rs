@@ -35,7 +35,9 @@ enum Command {
         #[arg(long)]
         tool: Vec<String>,
     },
-    /// The `outcomes.json` of one run of cargo-mutants, or of its shards.
+    /// The sources of the oracle of which not every mutant has been tried in their present state.
+    Untried,
+    /// The `outcomes.json` of one run of cargo-mutants, or of its shards, added to what is kept.
     Mutants {
         /// The files.
         #[arg(required = true)]
@@ -43,6 +45,9 @@ enum Command {
         /// The state that was taken before.
         #[arg(long)]
         state: PathBuf,
+        /// What `cargo mutants --list --json` says.
+        #[arg(long)]
+        list: PathBuf,
     },
     /// The output of `cargo metadata --format-version 1`.
     Licences {
@@ -66,22 +71,26 @@ fn main() -> ExitCode {
 
 fn condense(command: &Command) -> Result<String, Fault> {
     match command {
-        Command::State { of } => json(&present(folders(of))?),
+        Command::State { of } => json(&present(of)?),
         Command::Coverage { report, state, tool } => {
             let state = unchanged(state)?;
             json(&coverage::condense(&read(report)?, &tree()?.root, state, tool.clone())?)
         }
-        Command::Mutants { outcomes, state } => {
+        Command::Untried => {
+            let tree = tree()?;
+            let untried = match mutants::kept(&tree)? {
+                Some(run) => run.untried(&tree)?,
+                None => mutants::sources(&tree)?,
+            };
+            Ok(untried.join("\n"))
+        }
+        Command::Mutants { outcomes, state, list } => {
             let texts = outcomes.iter().map(|file| read(file)).collect::<Result<Vec<_>, _>>()?;
-            let run = mutants::condense(&texts, unchanged(state)?)?;
+            let run = mutants::condense(mutants::kept(&tree()?)?, &texts, &read(list)?, unchanged(state)?)?;
             run.json().map_err(|error| Fault::about("output", error))
         }
         Command::Licences { metadata } => json(&packages::condense_licences(&read(metadata)?)?),
     }
-}
-
-fn folders(evidence: &str) -> &'static [&'static str] {
-    if evidence == "coverage" { &coverage::DEPENDS_ON } else { &mutants::DEPENDS_ON }
 }
 
 fn tree() -> Result<Tree, Fault> {
@@ -89,8 +98,13 @@ fn tree() -> Result<Tree, Fault> {
     Tree::open(&Tree::around(&here)?, Path::new("audit"))
 }
 
-fn present(folders: &[&str]) -> Result<State, Fault> {
-    State::of(&tree()?, folders)
+fn present(evidence: &str) -> Result<State, Fault> {
+    let tree = tree()?;
+    if evidence == "coverage" {
+        State::of(&tree, &coverage::DEPENDS_ON)
+    } else {
+        State::of(&tree, &mutants::sources(&tree)?)
+    }
 }
 
 /// The state in a file, if the sources still have it.

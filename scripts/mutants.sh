@@ -1,7 +1,9 @@
 #!/usr/bin/env bash
 # Changes one place of the oracle at a time and runs its tests (cargo-mutants; .cargo/mutants.toml says which
-# tests), then condenses the outcomes into evidence/mutants.json. Arguments go to cargo-mutants (`--jobs 2`).
-# Takes an hour or two. With OUTCOMES="FILE…" the outcomes of shards are condensed and nothing is run.
+# tests), and adds the outcomes to evidence/mutants.json. Tried are the sources that have changed since their
+# mutants were tried, two or three seconds a mutant; rm evidence/mutants.json tries all. Arguments go to
+# cargo-mutants (`--jobs 2`); with `--file` or `--re` among them only these mutants are tried, as after an example
+# that should catch a survivor. With OUTCOMES="FILE…" the outcomes of shards are added and nothing is run.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 exec </dev/null
@@ -11,17 +13,28 @@ output=$(mktemp -d)
 trap 'rm -rf "$state" "$output"' EXIT
 condense() { cargo run --locked --quiet --example condense_evidence -- "$@"; }
 condense state mutants >"$state"
+cargo mutants -p turnspec-oracle --list --json >"$output/list.json"
 
 if [ -n "${OUTCOMES:-}" ]; then
     read -ra outcomes <<<"$OUTCOMES"
 else
+    files=()
+    case " $* " in
+    *" --file "* | *" --re "*) ;;
+    *)
+        while read -r file; do files+=(--file "$file"); done < <(condense untried)
+        [ ${#files[@]} -gt 0 ] || { echo "every source has been tried" >&2; exit 0; }
+        ;;
+    esac
     # Status 2 is a survivor, 3 a time-out: outcomes both.
     status=0
-    cargo mutants -p turnspec-oracle --output "$output" "$@" || status=$?
+    cargo mutants -p turnspec-oracle --output "$output" "${files[@]}" "$@" || status=$?
     case $status in 0 | 2 | 3) ;; *) exit "$status" ;; esac
     outcomes=("$output/mutants.out/outcomes.json")
+    # Sources without a mutant leave none.
+    [ -f "${outcomes[0]}" ] || echo '{"outcomes": []}' >"${outcomes[0]}"
 fi
 
 mkdir -p evidence
-condense mutants "${outcomes[@]}" --state "$state" >evidence/mutants.json.new
+condense mutants "${outcomes[@]}" --state "$state" --list "$output/list.json" >evidence/mutants.json.new
 mv evidence/mutants.json.new evidence/mutants.json

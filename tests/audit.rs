@@ -289,15 +289,21 @@ fn the_bill_of_materials_lists_every_package() {
     }
 }
 
+#[cfg(target_os = "linux")]
 #[test]
 fn evidence_of_another_state_is_said() {
     let folder = Folder::tree("stale");
-    let none =
-        "{\"state\":{\"sources\":{\"spec/src\":\"00\"}},\"tool\":\"t\",\"complete\":true,\"mutants\":[]}";
+    let text = "{\"state\":{\"sources\":{\"spec/src\":\"00\"}},\"tools\":[],\"files\":{}}";
+    fs::write(folder.root().join("evidence/coverage.json"), text).unwrap();
+    let sources = sources(&folder.root()).replacen("\":\"", "\":\"0", 1);
+    let none = format!("{{\"state\":{{\"sources\":{{{sources}}}}},\"tool\":\"t\",\"mutants\":[]}}");
     fs::write(folder.root().join("evidence/mutants.json"), none).unwrap();
     folder.audit();
-    assert_eq!(folder.json("matrix.json")["mutants"]["freshness"]["measured_on"], "past");
-    assert!(folder.read("index.html").contains("measured on another state of spec/src"));
+    assert_eq!(folder.json("matrix.json")["coverage"]["freshness"]["measured_on"], "past");
+    assert_eq!(folder.json("matrix.json")["mutants"]["untried"], serde_json::json!(["spec/src/book.rs"]));
+    let page = folder.read("index.html");
+    assert!(page.contains("measured on another state of spec/src"));
+    assert!(page.contains("Not tried in their present state:</strong> spec/src/book.rs"));
 }
 
 #[test]
@@ -325,9 +331,9 @@ fn a_survivor_needs_a_reason() {
     let folder = Folder::tree("survivor");
     let name = "spec/src/modal/carry_out.rs:99:1: replace + with - in zero_shift";
     let run = format!(
-        "{{\"state\":{{\"sources\":{{\"proofs/src\":\"{}\"}}}},\"tool\":\"t 1\",\"complete\":true,\"mutants\":\
+        "{{\"state\":{{\"sources\":{{{}}}}},\"tool\":\"t 1\",\"mutants\":\
          [{{\"name\":\"{name}\",\"function\":\"zero_shift\",\"outcome\":\"missed\"}}]}}",
-        digest(&folder.root(), "proofs/src")
+        sources(&folder.root())
     );
     fs::write(folder.root().join("evidence/mutants.json"), run).unwrap();
     let reasons = folder.root().join("evidence/survivors.toml");
@@ -350,11 +356,13 @@ fn a_survivor_needs_a_reason() {
 }
 
 #[cfg(target_os = "linux")]
-/// The digest of a folder, as the documentation says that a shell computes it.
-fn digest(root: &Path, folder: &str) -> String {
-    let script = format!("find {folder} -type f | LC_ALL=C sort | xargs sha256sum | sha256sum | cut -c 1-64");
-    let output = Command::new("sh").args(["-c", &script]).current_dir(root).output().expect("sh starts");
-    String::from_utf8(output.stdout).unwrap().trim().to_owned()
+/// The sources of the oracle with their digests, as the documentation says that a shell computes them.
+fn sources(root: &Path) -> String {
+    let script = "find spec/src -name '*.rs' ! -name schema.rs | LC_ALL=C sort | xargs sha256sum";
+    let output = Command::new("sh").args(["-c", script]).current_dir(root).output().expect("sh starts");
+    let listing = String::from_utf8(output.stdout).unwrap();
+    let pair = |line: &str| line.split_once("  ").map(|(digest, file)| format!("\"{file}\":\"{digest}\""));
+    listing.lines().filter_map(pair).collect::<Vec<_>>().join(",")
 }
 
 #[test]
@@ -381,11 +389,8 @@ fn a_broken_tree_is_refused() {
     }
 
     let folder = Folder::tree("reasons");
-    fs::write(
-        folder.root().join("evidence/mutants.json"),
-        "{\"state\":{},\"tool\":\"\",\"complete\":true,\"mutants\":[]}",
-    )
-    .unwrap();
+    fs::write(folder.root().join("evidence/mutants.json"), "{\"state\":{},\"tool\":\"\",\"mutants\":[]}")
+        .unwrap();
     fs::write(folder.root().join("evidence/survivors.toml"), "[survivor").unwrap();
     refused(&folder, &["evidence/survivors.toml"]);
 }

@@ -25,6 +25,15 @@ pub fn of_folder(root: &Path, folder: &str) -> io::Result<String> {
     Ok(sha256(listing(root, folder, sha256)?.as_bytes()))
 }
 
+/// The state of a folder, as [`of_folder`] has it, or of a file: `sha256sum FILE`.
+///
+/// # Errors
+/// When a folder or file cannot be read.
+pub fn of_path(root: &Path, path: &str) -> io::Result<String> {
+    let full = root.join(path);
+    if full.is_dir() { of_folder(root, path) } else { Ok(sha256(&std::fs::read(full)?)) }
+}
+
 /// Refuses a tree whose sources are not those that this program was built from: what it measured would be
 /// said of another text.
 ///

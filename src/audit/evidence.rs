@@ -15,27 +15,26 @@ pub struct State {
     /// The commit; for people, the digests decide.
     #[serde(default)]
     pub commit: Option<String>,
-    /// The digest of each folder that matters.
+    /// The digest of each folder or file that matters.
     #[serde(default)]
     pub sources: BTreeMap<String, String>,
 }
 
 impl State {
-    /// The present state of some folders.
+    /// The present state of some folders or files.
     ///
     /// # Errors
-    /// Names the folder that cannot be read.
-    pub fn of(tree: &Tree, folders: &[&str]) -> Result<Self, Fault> {
-        let digest = |folder: &&str| {
-            let digest =
-                digest::of_folder(&tree.root, folder).map_err(|error| Fault::about(folder, error))?;
-            Ok(((*folder).to_owned(), digest))
+    /// Names the folder or file that cannot be read.
+    pub fn of(tree: &Tree, paths: &[impl AsRef<str>]) -> Result<Self, Fault> {
+        let digest = |path: &str| {
+            let digest = digest::of_path(&tree.root, path).map_err(|error| Fault::about(path, error))?;
+            Ok((path.to_owned(), digest))
         };
-        let sources = folders.iter().map(digest).collect::<Result<_, Fault>>()?;
+        let sources = paths.iter().map(|path| digest(path.as_ref())).collect::<Result<_, Fault>>()?;
         Ok(Self { commit: tree.revision.commit(), sources })
     }
 
-    /// Whether the folders are still as they were.
+    /// Whether the folders and files are still as they were.
     #[must_use]
     pub fn freshness(&self, tree: &Tree) -> Freshness {
         if self.sources.is_empty() {
@@ -44,8 +43,8 @@ impl State {
         let changed = self
             .sources
             .iter()
-            .filter(|(folder, then)| digest::of_folder(&tree.root, folder).ok().as_ref() != Some(then));
-        match changed.map(|(folder, _)| folder.clone()).collect::<Vec<_>>() {
+            .filter(|(path, then)| digest::of_path(&tree.root, path).ok().as_ref() != Some(then));
+        match changed.map(|(path, _)| path.clone()).collect::<Vec<_>>() {
             changed if changed.is_empty() => Freshness::Present,
             changed => Freshness::Past { changed },
         }
@@ -58,9 +57,9 @@ impl State {
 pub enum Freshness {
     /// Of the present ones.
     Present,
-    /// Of an earlier state of some folders.
+    /// Of an earlier state of some folders or files.
     Past {
-        /// The folders that have changed since.
+        /// What has changed since.
         changed: Vec<String>,
     },
     /// It does not say of which.

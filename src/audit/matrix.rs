@@ -43,10 +43,8 @@ pub struct Matrix {
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct MutantsRecord {
-    /// On what it was made.
-    pub freshness: Freshness,
-    /// Whether it came to its end.
-    pub complete: bool,
+    /// The sources of the oracle of which not every mutant has been tried in their present state.
+    pub untried: Vec<String>,
 }
 
 /// Coverage of the sources by the tests.
@@ -158,10 +156,10 @@ impl Matrix {
                 oracle: coverage.of(oracle),
                 engine: coverage.of(engine),
             }),
-            mutants: gathered.mutants.as_ref().map(|judged| MutantsRecord {
-                freshness: judged.run.state.freshness(tree),
-                complete: judged.run.complete,
-            }),
+            mutants: gathered
+                .mutants
+                .as_ref()
+                .map(|judged| MutantsRecord { untried: judged.untried.clone() }),
             rules: rows(gathered),
         }
     }

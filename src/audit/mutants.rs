@@ -1,16 +1,21 @@
 //! Mutants of the oracle: the outcomes of cargo-mutants, condensed into `evidence/mutants.json`, and the
 //! reasons why survivors are no missing examples, in `evidence/survivors.toml`.
+//!
+//! The outcomes of a file stand as long as the file does: examples and tests are only ever added, so that what one of
+//! them caught stays caught. A run therefore tries the files that have changed since, and adds to what is kept.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
 use super::evidence::{self, State};
-use super::{Fault, Tree};
+use super::{Fault, Tree, files};
 
-/// The folders on which the outcomes depend.
-pub const DEPENDS_ON: [&str; 3] = ["spec/rules", "spec/src", "spec/tests"];
+/// Where the oracle's sources are.
+const SOURCES: &str = "spec/src";
+/// The source that is not mutated: JSON Schemas (`.cargo/mutants.toml`).
+const EXCLUDED: &str = "spec/src/vocabulary/schema.rs";
 const FILE: &str = "evidence/mutants.json";
 const REASONS: &str = "evidence/survivors.toml";
 
@@ -18,12 +23,10 @@ const REASONS: &str = "evidence/survivors.toml";
 #[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Run {
-    /// What was mutated.
+    /// The files of which every mutant has been tried, as they were then.
     pub state: State,
     /// Name and version of the tool.
     pub tool: String,
-    /// Whether the run came to its end.
-    pub complete: bool,
     /// The mutants, in the order of their names.
     pub mutants: Vec<Mutant>,
 }
@@ -58,11 +61,26 @@ impl Mutant {
     /// The file that it changes.
     #[must_use]
     pub fn file(&self) -> &str {
-        self.name.split(':').next().unwrap_or_default()
+        file_of(&self.name)
     }
 }
 
+/// The file in the name of a mutant.
+fn file_of(name: &str) -> &str {
+    name.split(':').next().unwrap_or_default()
+}
+
 impl Run {
+    /// The sources of the oracle of which not every mutant has been tried in their present state.
+    ///
+    /// # Errors
+    /// When a source cannot be read.
+    pub fn untried(&self, tree: &Tree) -> Result<Vec<String>, Fault> {
+        let current = State::of(tree, &sources(tree)?)?;
+        let tried = |(file, digest): &(String, String)| self.state.sources.get(file) != Some(digest);
+        Ok(current.sources.into_iter().filter(tried).map(|(file, _)| file).collect())
+    }
+
     /// As JSON, a line a mutant.
     ///
     /// # Errors
@@ -70,23 +88,24 @@ impl Run {
     pub fn json(&self) -> Result<String, serde_json::Error> {
         let mutants = self.mutants.iter().map(serde_json::to_string).collect::<Result<Vec<_>, _>>()?;
         Ok(format!(
-            "{{\n\"state\": {},\n\"tool\": {},\n\"complete\": {},\n\"mutants\": [\n{}\n]\n}}",
-            serde_json::to_string(&self.state)?,
+            "{{\n\"state\": {},\n\"tool\": {},\n\"mutants\": [\n{}\n]\n}}",
+            serde_json::to_string_pretty(&self.state)?,
             serde_json::to_string(&self.tool)?,
-            self.complete,
             mutants.join(",\n")
         ))
     }
 }
 
-/// A run and what is said about its survivors.
+/// What a run says of the present sources, and what is said about its survivors.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Judged {
-    /// The run.
+    /// The run, without the mutants of files that have changed since.
     pub run: Run,
+    /// The sources of the oracle of which not every mutant has been tried in their present state.
+    pub untried: Vec<String>,
     /// Why a survivor changes nothing that a program could observe, by its name.
     pub reasons: BTreeMap<String, String>,
-    /// Reasons for mutants that did not survive, or are not there.
+    /// Reasons for mutants of tried sources that did not survive, or are not there.
     pub idle_reasons: Vec<String>,
 }
 
@@ -122,47 +141,97 @@ struct Reason {
     reason: String,
 }
 
+/// The condensed run as it is kept, whatever sources it speaks of.
+///
+/// # Errors
+/// Names the file when it has not the form that it should have.
+pub fn kept(tree: &Tree) -> Result<Option<Run>, Fault> {
+    evidence::read(tree, FILE)
+}
+
 /// Reads the condensed run and the reasons; nothing if no run is kept.
 ///
 /// # Errors
 /// Names the file that has not the form that it should have.
 pub fn read(tree: &Tree) -> Result<Option<Judged>, Fault> {
-    let Some(run) = evidence::read::<Run>(tree, FILE)? else { return Ok(None) };
+    let Some(mut run) = kept(tree)? else { return Ok(None) };
+    let untried = run.untried(tree)?;
+    run.mutants.retain(|mutant| !untried.iter().any(|file| file == mutant.file()));
     let text = tree.read_if_there(REASONS)?.unwrap_or_default();
     let reasons: Reasons = toml::from_str(&text).map_err(|error| Fault::about(REASONS, error))?;
     let survived = |name: &str| {
         run.mutants.iter().any(|mutant| mutant.name == name && mutant.outcome == Outcome::Missed)
     };
-    let (reasons, idle): (Vec<_>, Vec<_>) =
-        reasons.survivor.into_iter().partition(|reason| survived(&reason.mutant));
+    let judged = reasons
+        .survivor
+        .into_iter()
+        .filter(|reason| !untried.iter().any(|file| file == file_of(&reason.mutant)));
+    let (reasons, idle): (Vec<_>, Vec<_>) = judged.partition(|reason| survived(&reason.mutant));
     Ok(Some(Judged {
         run,
+        untried,
         reasons: reasons.into_iter().map(|each| (each.mutant, each.reason)).collect(),
         idle_reasons: idle.into_iter().map(|each| each.mutant).collect(),
     }))
 }
 
-/// Condenses the `outcomes.json` of one or several runs of cargo-mutants, such as the shards of one.
+/// The sources of the oracle that are mutated.
+///
+/// # Errors
+/// When a folder cannot be read.
+pub fn sources(tree: &Tree) -> Result<Vec<String>, Fault> {
+    let mut sources = files::below(&tree.root, SOURCES).map_err(|error| Fault::about(SOURCES, error))?;
+    sources.retain(|file| file.ends_with(".rs") && file != EXCLUDED);
+    Ok(sources)
+}
+
+/// Adds the outcomes of one or several runs of cargo-mutants on the present sources, such as the shards of one, to what
+/// is kept. `state` is that of [`sources`], `list` what `cargo mutants --list --json` says. Kept is what belongs to a file of
+/// which every mutant of the list has an outcome.
 ///
 /// # Errors
 /// Names the first thing that is not as cargo-mutants writes it.
-pub fn condense(outcomes: &[String], state: State) -> Result<Run, Fault> {
-    let (mut mutants, mut complete, mut version) = (Vec::new(), true, String::new());
+pub fn condense(kept: Option<Run>, outcomes: &[String], list: &str, mut state: State) -> Result<Run, Fault> {
+    let (mut known, mut version) = (BTreeMap::new(), String::new());
+    if let Some(kept) = kept {
+        let fresh = |mutant: &Mutant| {
+            let then = kept.state.sources.get(mutant.file());
+            then.is_some() && then == state.sources.get(mutant.file())
+        };
+        known.extend(
+            kept.mutants.iter().filter(|mutant| fresh(mutant)).map(|each| (each.name.clone(), each.clone())),
+        );
+        version = kept.tool;
+    }
     for text in outcomes {
         let fault = |reason: String| Fault::about("outcomes.json", reason);
         let value: Value = serde_json::from_str(text).map_err(|error| fault(error.to_string()))?;
-        complete &= !value["end_time"].is_null();
-        value["cargo_mutants_version"].as_str().unwrap_or_default().clone_into(&mut version);
+        if let Some(of) = value["cargo_mutants_version"].as_str() {
+            version = format!("cargo-mutants {of}");
+        }
         let list = value["outcomes"].as_array().ok_or_else(|| fault("no `outcomes`".to_owned()))?;
         for outcome in list.iter().filter(|outcome| outcome["scenario"].is_object()) {
             let read =
                 mutant(outcome).ok_or_else(|| fault(format!("not a mutant: {}", outcome["scenario"])))?;
-            mutants.push(read);
+            known.insert(read.name.clone(), read);
         }
     }
+    let listed: Vec<Listed> = serde_json::from_str(list).map_err(|error| Fault::about("list", error))?;
+    let untried: BTreeSet<&str> =
+        listed.iter().filter(|each| !known.contains_key(&each.name)).map(|each| each.file.as_str()).collect();
+    state.sources.retain(|file, _| !untried.contains(file.as_str()));
+    let mutants = listed.iter().filter(|each| state.sources.contains_key(&each.file));
+    let mut mutants: Vec<Mutant> = mutants.filter_map(|each| known.get(&each.name).cloned()).collect();
     mutants.sort();
     mutants.dedup();
-    Ok(Run { state, tool: format!("cargo-mutants {version}"), complete, mutants })
+    Ok(Run { state, tool: version, mutants })
+}
+
+/// A mutant as cargo-mutants lists it.
+#[derive(Deserialize)]
+struct Listed {
+    name: String,
+    file: String,
 }
 
 fn mutant(outcome: &Value) -> Option<Mutant> {
@@ -193,7 +262,7 @@ fn plain(function: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{Outcome, State, condense, plain};
+    use super::{Mutant, Outcome, Run, State, condense, plain};
 
     #[test]
     fn functions_lose_their_parameters() {
@@ -208,31 +277,70 @@ mod tests {
         }
     }
 
-    #[test]
-    fn outcomes_are_condensed_in_order() {
-        let each = |name: &str, summary: &str| {
+    /// Outcomes as cargo-mutants writes them: name and summary.
+    fn outcomes(each: &[(&str, &str)]) -> String {
+        let outcome = |(name, summary): &(&str, &str)| {
             format!(
                 "{{\"scenario\":{{\"Mutant\":{{\"name\":\"{name}\",\"function\":null}}}},\"summary\":\"{summary}\"}}"
             )
         };
-        let text = format!(
-            "{{\"outcomes\":[{{\"scenario\":\"Baseline\",\"summary\":\"Success\"}},{},{}],\"end_time\":null,\
-             \"cargo_mutants_version\":\"27\"}}",
-            each("spec/src/b.rs:1:2: c", "MissedMutant"),
-            each("spec/src/a.rs:1:2: c", "Timeout")
-        );
-        let run = condense(&[text], State::default()).expect("outcomes");
-        let outcomes: Vec<_> =
-            run.mutants.iter().map(|mutant| (mutant.name.as_str(), mutant.outcome)).collect();
-        assert_eq!(
-            outcomes,
-            [("spec/src/a.rs:1:2: c", Outcome::Timeout), ("spec/src/b.rs:1:2: c", Outcome::Missed)]
-        );
-        assert_eq!(run.mutants[0].file(), "spec/src/a.rs");
-        assert!(!run.complete);
-        let read: super::Run = serde_json::from_str(&run.json().expect("JSON")).expect("the same shape");
+        format!(
+            "{{\"outcomes\":[{{\"scenario\":\"Baseline\",\"summary\":\"Success\"}},{}],\"cargo_mutants_version\":\"27\"}}",
+            each.iter().map(outcome).collect::<Vec<_>>().join(",")
+        )
+    }
+
+    /// A list as cargo-mutants writes it.
+    fn list(names: &[&str]) -> String {
+        let each = |name: &&str| format!("{{\"name\":\"{name}\",\"file\":\"{}\"}}", &name[..4]);
+        format!("[{}]", names.iter().map(each).collect::<Vec<_>>().join(","))
+    }
+
+    fn state(sources: &[(&str, &str)]) -> State {
+        let pairs = sources.iter().map(|(file, digest)| ((*file).to_owned(), (*digest).to_owned()));
+        State { commit: None, sources: pairs.collect() }
+    }
+
+    fn names(run: &Run) -> Vec<(&str, Outcome)> {
+        run.mutants.iter().map(|mutant| (mutant.name.as_str(), mutant.outcome)).collect()
+    }
+
+    #[test]
+    fn outcomes_are_condensed_in_order() {
+        let text = outcomes(&[("b.rs:1:2: c", "MissedMutant"), ("a.rs:1:2: c", "Timeout")]);
+        let sources = state(&[("a.rs", "1"), ("b.rs", "1")]);
+        let run = condense(None, &[text], &list(&["a.rs:1:2: c", "b.rs:1:2: c"]), sources).expect("outcomes");
+        assert_eq!(names(&run), [("a.rs:1:2: c", Outcome::Timeout), ("b.rs:1:2: c", Outcome::Missed)]);
+        assert_eq!(run.mutants[0].file(), "a.rs");
+        let read: Run = serde_json::from_str(&run.json().expect("JSON")).expect("the same shape");
         assert_eq!(read, run);
-        assert!(condense(&["{}".to_owned()], State::default()).is_err());
-        assert!(condense(&["[".to_owned()], State::default()).is_err());
+        for broken in ["{}", "["] {
+            assert!(condense(None, &[broken.to_owned()], "[]", State::default()).is_err());
+        }
+    }
+
+    #[test]
+    fn outcomes_are_added_to_those_of_unchanged_files() {
+        let kept = Run {
+            state: state(&[("a.rs", "1"), ("b.rs", "1"), ("c.rs", "1")]),
+            tool: "cargo-mutants 27".to_owned(),
+            mutants: ["a.rs:1", "a.rs:2", "b.rs:1", "c.rs:1"]
+                .map(|name| mutant(name, Outcome::Missed))
+                .to_vec(),
+        };
+        // b.rs has changed; c.rs has a mutant that was never tried; the second mutant of a.rs is tried again.
+        let text = outcomes(&[("a.rs:2", "CaughtMutant"), ("b.rs:1", "CaughtMutant")]);
+        let all = list(&["a.rs:1", "a.rs:2", "b.rs:1", "c.rs:1", "c.rs:2"]);
+        let now = state(&[("a.rs", "1"), ("b.rs", "2"), ("c.rs", "1"), ("d.rs", "1")]);
+        let run = condense(Some(kept), &[text], &all, now).expect("outcomes");
+        assert_eq!(
+            names(&run),
+            [("a.rs:1", Outcome::Missed), ("a.rs:2", Outcome::Caught), ("b.rs:1", Outcome::Caught)]
+        );
+        assert_eq!(run.state, state(&[("a.rs", "1"), ("b.rs", "2"), ("d.rs", "1")]));
+    }
+
+    fn mutant(name: &str, outcome: Outcome) -> Mutant {
+        Mutant { name: name.to_owned(), function: String::new(), outcome }
     }
 }

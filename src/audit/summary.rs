@@ -50,7 +50,7 @@ pub fn findings(tree: &Tree, gathered: &Gathered) -> Vec<Finding> {
     findings.push(citations(gathered, "citations in the engine", &gathered.engine, Verdict::Measured));
     findings.extend([rules_with_examples(gathered), exercised(gathered)]);
     findings.extend(coverage(tree, gathered));
-    findings.extend(mutants(tree, gathered));
+    findings.extend(mutants(gathered));
     findings.push(planted(tree, gathered));
     findings.extend([properties(gathered), proofs(gathered), licences(gathered)]);
     findings
@@ -173,19 +173,21 @@ fn coverage(tree: &Tree, gathered: &Gathered) -> Vec<Finding> {
     MEASURED.iter().map(of).collect()
 }
 
-fn mutants(tree: &Tree, gathered: &Gathered) -> Vec<Finding> {
+fn mutants(gathered: &Gathered) -> Vec<Finding> {
     let Some(judged) = &gathered.mutants else {
         return vec![finding(Verdict::NotMeasured, "mutants", "no evidence/mutants.json".to_owned())];
     };
-    let remark = judged.run.state.freshness(tree).remark();
     let unexplained: Vec<String> = judged.unexplained().map(|mutant| mutant.name.clone()).collect();
-    let verdict = if !judged.run.complete { Verdict::NotMeasured } else { holds_if(unexplained.is_empty()) };
+    let verdict = match (unexplained.is_empty(), judged.untried.is_empty()) {
+        (false, _) => Verdict::Fails,
+        (true, false) => Verdict::NotMeasured,
+        (true, true) => Verdict::Holds,
+    };
     let mut text = score(judged, unexplained.len());
-    if !judged.run.complete {
-        text += "; the run was not complete";
+    if !judged.untried.is_empty() {
+        text += &format!("; not tried in their present state: {} sources", judged.untried.len());
     }
-    let mut findings =
-        vec![Finding { concerns: unexplained, ..remarked(verdict, "mutants", text, remark.as_deref()) }];
+    let mut findings = vec![Finding { concerns: unexplained, ..finding(verdict, "mutants", text) }];
     if !judged.idle_reasons.is_empty() {
         findings.push(Finding {
             verdict: Verdict::Fails,

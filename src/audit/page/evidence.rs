@@ -18,7 +18,7 @@ pub fn sections(tree: &Tree, gathered: &Gathered) -> Markup {
     html! {
         (statements(gathered))
         (coverage(tree, gathered))
-        (mutants(tree, gathered))
+        (mutants(gathered))
         (planted(tree, gathered))
     }
 }
@@ -125,7 +125,7 @@ fn stated(state: &State, tree: &Tree) -> Markup {
     }
 }
 
-fn mutants(tree: &Tree, gathered: &Gathered) -> Markup {
+fn mutants(gathered: &Gathered) -> Markup {
     html! {
         section id="mutants" {
             h2 { "Mutants" }
@@ -133,8 +133,9 @@ fn mutants(tree: &Tree, gathered: &Gathered) -> Markup {
                 p { (judged.run.tool) " changed one place of the oracle at a time; a test has to fail ("
                     code { "scripts/mutants.sh" } "). A survivor is a missing example, unless a reason says why nothing \
                     observable changed." }
-                (stated(&judged.run.state, tree))
-                @if !judged.run.complete { p.warning { strong { "The run was not complete." } } }
+                @if !judged.untried.is_empty() {
+                    p.warning { strong { "Not tried in their present state:" } " " (judged.untried.join(", ")) "." }
+                }
                 ul.figures {
                     @for (outcome, name) in [(Outcome::Caught, "caught"), (Outcome::Timeout, "timed out"),
                         (Outcome::Missed, "survived"), (Outcome::Unviable, "do not compile")] {

@@ -23,8 +23,9 @@ pub fn section(gathered: &Gathered, matrix: &Matrix) -> Markup {
                  A line opens to the text and the evidence; what is filtered out is not printed."
             }
             @if let Some(mutants) = &matrix.mutants {
-                @if let Some(remark) = mutants.freshness.remark() { p.note { "The mutants: " (remark) "." } }
-                @if !mutants.complete { p.note { "The mutants: the run was not complete." } }
+                @if !mutants.untried.is_empty() {
+                    p.note { "The mutants of " (mutants.untried.len()) " sources have not been tried in their present state." }
+                }
             }
             (toolbar(gathered))
             div.head aria-hidden="true" {
