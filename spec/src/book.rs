@@ -92,6 +92,8 @@ chapters! {
     "e100l/expressions.md"
     "e100l/functions.md"
     "e100l/variables.md"
+    "e100l/control-statements.md"
+    "e100l/local-variables.md"
     "e100l/coordinates.md"
     "e100l/motion.md"
     "e100l/arcs.md"
