@@ -112,6 +112,9 @@ chapters! {
     "e100l/miscellaneous.md"
     "e100l/c-axis.md"
     "e100l/barriers.md"
+    "e100l/subprograms.md"
+    "e100l/modal-calls.md"
+    "e100l/macros.md"
 }
 
 /// Every rule of the OSP-E100L, in the order of the book.
