@@ -10,7 +10,9 @@ use turnspec_oracle::{Diagnostic, check};
 use super::book::Book;
 use super::format::Format;
 use super::input::Program;
+use super::options::SetupOptions;
 use super::report::Reporter;
+use super::sources::Sources;
 use super::{ColorChoice, Failure, Verdict, exit_status, setup_help};
 
 /// Find the faults of programs: those of each block's grammar, and the alarm of the run.
@@ -26,9 +28,8 @@ pub struct Arguments {
     /// The programs; `-` is standard input.
     #[arg(required = true, value_name = "PROGRAM")]
     programs: Vec<PathBuf>,
-    /// The set-up file, for all programs.
-    #[arg(long, value_name = "FILE")]
-    setup: Option<PathBuf>,
+    #[command(flatten)]
+    setup: SetupOptions,
     /// How the faults are printed.
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
@@ -81,12 +82,13 @@ pub fn carry_out(arguments: &Arguments, color: ColorChoice) -> Result<Verdict, F
     let mut count = 0;
     for path in &arguments.programs {
         let program = Program::read(Some(path))?;
-        let setup = program.setup(arguments.setup.as_deref())?;
+        let setup = arguments.setup.setup(&program)?;
         let diagnostics = check(&program.text, &setup);
         count += diagnostics.len();
         match arguments.format {
             Format::Text => {
-                let reporter = Reporter::new(&program, setup.tape.code, &book, color.on_stderr());
+                let sources = Sources::new(&program, &setup);
+                let reporter = Reporter::new(&sources, &book, color.on_stderr());
                 for Diagnostic { alarm, rules, block, span } in &diagnostics {
                     reporter.report(alarm, rules, block, span.clone());
                 }
