@@ -34,7 +34,9 @@ impl<'a> Sources<'a> {
             library.extend(programs(source.text, code).map(|program| (program, source)));
         }
         if !library.is_empty() {
-            programs(main.text, code).for_each(|name| drop(library.remove(&name)));
+            for name in programs(main.text, code) {
+                library.remove(&name);
+            }
         }
         Self { main, library, code }
     }
