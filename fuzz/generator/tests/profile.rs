@@ -282,6 +282,9 @@ fn foreign_event(event: &Event, features: &[Feature]) -> String {
         Action::Frame { .. } => has(Feature::ZeroShift) || has(Feature::SystemVariable) || has(Feature::Tool),
         Action::Variable { .. } => has(Feature::Variable) || has(Feature::SystemVariable),
         Action::Call { .. } | Action::Return => has(Feature::Subprogram),
+        Action::Output { .. } => has(Feature::Communication),
+        Action::Message { .. } => has(Feature::UserAlarm),
+        Action::Select { .. } => has(Feature::Schedule),
         Action::Stop | Action::OptionalStop => has(Feature::OptionalStop),
         Action::Mode { .. } | Action::End { .. } | Action::Alarm(_) => true,
     };

@@ -83,6 +83,17 @@ pub fn fields(event: &Event) -> Vec<(&'static str, String)> {
             list.kind("call").add("name", name).add("cause", &cause)
         }
         Action::Return => list.kind("return"),
+        Action::Output { device, text, end_code } => {
+            list.kind("output").add("device", device).add("text", text).add("end_code", end_code)
+        }
+        Action::Message { number, code, text } => {
+            list.kind("message").add("number", number).add("code", code).add("text", text)
+        }
+        Action::Select { file, name, repetition } => list
+            .kind("select")
+            .add("file", file)
+            .add_some("name", (!name.is_empty()).then_some(name))
+            .add("repetition", repetition),
         Action::Stop => list.kind("stop"),
         Action::OptionalStop => list.kind("optional_stop"),
         Action::End { code } => list.kind("end").add("code", code),
@@ -103,6 +114,7 @@ pub fn value_text(value: &Value) -> String {
         Value::Integer(integer) => integer.to_string(),
         Value::Length(length) => length.to_string(),
         Value::Angle(angle) => angle.to_string(),
+        Value::Text(text) => text.to_string(),
     }
 }
 
