@@ -60,7 +60,8 @@ impl<'a> Programs<'a> {
         }
     }
 
-    /// E100L-GOTO-02, E100L-SEQ-04: the first block with a name in the program that begins at `start`.
+    /// E100L-GOTO-02, E100L-SEQ-04, E100L-DEL-04: the first block with a name in the program that begins at `start`,
+    /// skipped or not.
     pub fn block(&mut self, name: Label, start: Spot) -> Option<Spot> {
         self.search(start, None).first.get(&name).copied()
     }
@@ -95,7 +96,7 @@ impl<'a> Programs<'a> {
     }
 }
 
-/// The programs of all texts.
+/// E100L-PROG-03, E100L-NAME-06: the programs of all texts; what has no name is called by nobody.
 fn programs(texts: &Texts, setup: &Setup) -> Vec<Program> {
     let mut programs = Vec::new();
     for mut spot in texts.starts() {

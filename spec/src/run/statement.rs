@@ -71,7 +71,7 @@ impl Run<'_> {
         }
     }
 
-    /// The assignments of a statement.
+    /// The assignments of a statement; common and system variables stay set (E100L-CVAR-05).
     fn settings(
         &mut self,
         settings: &[Item],
