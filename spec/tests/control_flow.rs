@@ -2,8 +2,9 @@
 
 #![allow(clippy::panic)]
 
+use proptest::prelude::*;
 use turnspec_oracle::vocabulary::notation::render;
-use turnspec_oracle::vocabulary::{Event, ProgramText, Setup};
+use turnspec_oracle::vocabulary::{Ending, Event, Label, ProgramText, Setup};
 use turnspec_oracle::{ActiveMode, ActiveProgram, LocalVariable, Run};
 
 fn setup(library: &[(&str, &str)]) -> Setup {
@@ -163,4 +164,66 @@ fn statements_are_not_blocks_between() {
     assert_eq!(plain, motions("CALL O1\nCALL O1 XS=1\nGOTO N5\nN5\n"));
     assert_eq!(plain, motions("NOEX\n"));
     assert_ne!(plain, motions("NOEX\nNOEX V1=1\n"));
+}
+
+/// Blocks that go well and blocks that do not, of jumps, calls, modes and what they act on.
+const BLOCKS: &[&str] = &[
+    "N1 G00 X10",
+    "N2",
+    "N3 /GOTO N1",
+    "IF [V1 LT 3] N2",
+    "IF XS GOTO N3",
+    "V1=V1+1",
+    "XS=XS+1",
+    "NOEX XS=V1",
+    "NOEX",
+    "CALL O1",
+    "CALL O2 XS=V1 DIA=XS",
+    "MODIN O2 DIA=1",
+    "MODIN O3",
+    "MODOUT",
+    "RTS",
+    "G161 XS=1",
+    "M321",
+    "O1",
+    "O2",
+    ":3",
+    "G01 X20 Z20 F1",
+    "G42 Z10",
+    "G40 Z0",
+    "G75 X30 L1",
+    "A30",
+    "A60 X40 Z40",
+    "M00",
+    "",
+    "(A)",
+    "/",
+    "GOTO N9",
+    "$ Z5",
+    "%",
+];
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(300))]
+
+    /// Whatever is jumped to and called, a run ends within its steps, numbers its events, and has an alarm exactly if
+    /// `check` has something to say.
+    #[test]
+    fn runs_end(main in prop::collection::vec(0..BLOCKS.len(), 1..20), library in prop::collection::vec(0..BLOCKS.len(), 0..20)) {
+        let text = |blocks: &[usize]| -> String {
+            blocks.iter().filter_map(|block| BLOCKS.get(*block)).map(|block| format!("{block}\n")).collect()
+        };
+        let (main, library) = (text(&main) + "M02\n", text(&library));
+        let mut setup = setup(&[("A.SUB", &library)]);
+        setup.limits.steps = 200;
+        setup.macros = [("G161", "O1"), ("M321", "O3")].map(|(code, name)| (code.to_owned(), Label::new(name))).into();
+        let mut run = Run::new(main.as_bytes(), &setup);
+        let mut events: Vec<Event> = Vec::new();
+        let ending = (0..202).find_map(|_| run.step(&mut |event: &Event| events.push(*event)));
+        prop_assert!(ending.is_some(), "{}", main);
+        prop_assert!((1..).zip(&events).all(|(ordinal, event)| event.n == ordinal));
+        let diagnostics = turnspec_oracle::check(main.as_bytes(), &setup);
+        prop_assert_eq!(ending == Some(Ending::Alarm), !diagnostics.is_empty());
+        prop_assert!(run.call_stack().count() <= 9 && run.active_modes().count() <= 8);
+    }
 }

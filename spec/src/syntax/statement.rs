@@ -82,7 +82,8 @@ fn delimited_name(name: Label, cursor: &Cursor) -> Outcome<Label> {
 /// A sequence name, and nothing behind it.
 fn destination(cursor: &mut Cursor, rule: RuleId) -> Outcome<Label> {
     cursor.skip_blanks()?;
-    if cursor.peek() != Some(b'N') {
+    // E100L-NOEX-01: NOEX is a keyword here too.
+    if cursor.peek() != Some(b'N') || cursor.run() == "NOEX" {
         return fail(AlarmName::Format, rule);
     }
     let name = sequence_name(cursor, false)?;
