@@ -9,9 +9,10 @@
 //! speed.
 //!
 //! One way through it, a stage a room: `syntax` (text to blocks), `task` (expressions and variables),
-//! `modal` (codes and modes), `path` (motion), `compensation` (nose radius), `frame` (machine coordinates and
-//! limits); `controls` holds the tables, `integer`, `quantity` and `real` the numbers.
+//! `modal` (codes and modes), `path` (motion), `barrier` (areas to keep out of), `compensation` (nose radius), `frame`
+//! (machine coordinates and limits); `controls` holds the tables, `integer`, `quantity` and `real` the numbers.
 
+mod barrier;
 pub mod book;
 mod check;
 mod compensation;

@@ -1,7 +1,7 @@
 //! Setting variables (E100L-CVAR-04, E100L-TYPE-04, E100L-TYPE-05, E100L-TYPE-07, E100L-SVAR-02 to -10).
 
 use super::evaluate;
-use super::memory::{droop_index, of_pair_mut};
+use super::memory::{barrier_datum_mut, droop_index, of_pair_mut};
 use super::number::Number;
 use super::read::suffix_value;
 use crate::controls::e100l::system_variables::{Axis, Quantity, SystemVariable};
@@ -130,11 +130,7 @@ fn store(quantity: Quantity, number: usize, increments: i64, state: &mut State) 
             }
             return Value::Integer(i32::try_from(increments).unwrap_or_default());
         }
-        Quantity::Barrier(index) => {
-            if let Some(entry) = state.memory.barriers.get_mut(usize::from(index)) {
-                *entry = amount;
-            }
-        }
+        Quantity::Barrier(datum) => *barrier_datum_mut(&mut state.memory.barriers, datum) = Length(amount),
         Quantity::PitchError(axis) => {
             if let Some(entry) = state.memory.pitch_errors.get_mut(number) {
                 *of_pair_mut(entry, axis) = amount;
