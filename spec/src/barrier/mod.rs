@@ -1,7 +1,7 @@
 //! Chuck and tailstock barriers: areas that the programmed point must not enter (E100L-BARR-01 to -09).
 //!
 //! [`watch`] says which barriers watch a block, [`area`] what they keep free, [`path`] what of a motion they look at;
-//! [`line`] and [`arc`] decide whether it enters a [`rectangle`], on exact numbers ([`surd`]).
+//! [`mod@line`] and [`arc`] decide whether it enters a [`rectangle`], on exact numbers ([`surd`]).
 
 mod arc;
 mod area;
