@@ -8,6 +8,7 @@ mod ahead;
 mod angle;
 mod arc;
 pub mod arithmetic;
+mod barriers;
 mod block;
 mod carry;
 mod chamfer;
@@ -99,6 +100,7 @@ struct Known {
     after_chamfer: ReadingSet,
     feed_length: ReadingSet,
     tool_offset: ReadingSet,
+    barrier_path: ReadingSet,
     clamp: ReadingSet,
 }
 
@@ -114,6 +116,7 @@ impl Known {
             after_chamfer: one(readings.incremental_after_chamfer),
             feed_length: one(readings.feed_length),
             tool_offset: one(readings.tool_offset),
+            barrier_path: one(readings.barrier_path),
             clamp: one(readings.speed_clamp),
         }
     }
