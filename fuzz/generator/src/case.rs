@@ -32,10 +32,14 @@ impl Case {
     #[must_use]
     pub fn from_raw(bytes: &[u8]) -> Self {
         let (choice, program) = bytes.split_at(bytes.len().min(Self::SETUP_BYTES));
-        let setup = setup::setup(&mut Choices::new(&mut Unstructured::new(choice)), &Profile::FULL);
+        let mut setup = setup::setup(&mut Choices::new(&mut Unstructured::new(choice)), &Profile::FULL);
+        setup.limits.steps = setup.limits.steps.min(RAW_STEPS);
         Self { setup, program: program.to_vec() }
     }
 }
+
+/// How many blocks a run of arbitrary bytes may begin: they may hold an endless loop.
+const RAW_STEPS: u64 = 2000;
 
 impl<'a> Arbitrary<'a> for Case {
     fn arbitrary(bytes: &mut Unstructured<'a>) -> Result<Self> {
