@@ -8,7 +8,8 @@ use super::stream::Stream;
 use crate::barrier;
 use crate::emission::Emission;
 use crate::fault::{Fault, Outcome, fail};
-use crate::frame::Amounts;
+use crate::frame::{Amounts, TravelLimit};
+use crate::integer::Limited;
 use crate::modal::Plan;
 use crate::path::{Element, Point, Shape, Tested, Way, carry_out};
 use crate::state::State;
@@ -54,9 +55,19 @@ fn check(element: &Element, state: &State) -> Outcome<()> {
         let target = state.frame.to_machine(Amounts { w: element.target.w, ..Amounts::default() });
         state.limits.w.clamp(target.w)?;
     }
-    // E100L-BARR-09: the way to the programmed end, before the limits of X and Z.
-    let present = state.frame.program();
-    barrier::check(element, present, element.programmed_end(present), state)
+    // E100L-BARR-09: before the limits of X and Z are tested.
+    barrier::check(element, state.frame.program(), cut_back(element, state), state)
+}
+
+/// Where the motion of a G40 block ends, cut back to the positive limits; what lies beyond a negative one stays.
+fn cut_back(element: &Element, state: &State) -> Amounts {
+    let wanted = state.frame.to_machine(element.programmed_end(state.frame.program()));
+    let within = |limit: &TravelLimit, place: i64| match limit.of(place) {
+        Limited::Positive(limit) => limit,
+        _ => place,
+    };
+    let (x, z) = (within(&state.limits.x, wanted.x), within(&state.limits.z, wanted.z));
+    state.frame.to_program(Amounts { x, z, ..wanted })
 }
 
 /// A motion without compensation; what is left over goes away with the first one of X or Z. `barriers`: they are
