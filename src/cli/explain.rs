@@ -1,7 +1,7 @@
 //! `explain`: a run, event by event, with the rules that justify each.
 
 use std::collections::BTreeSet;
-use std::io::{self, BufWriter, Write, stdout};
+use std::io::{self, BufWriter, Write, stderr, stdout};
 use std::path::PathBuf;
 
 use turnspec_oracle::Run;
@@ -13,6 +13,7 @@ use super::input::Program;
 use super::machine::Machine;
 use super::options::SetupOptions;
 use super::report::Reporter;
+use super::situation::{CommonVariables, situation};
 use super::sources::Sources;
 use super::words::describe;
 use super::wrap::wrap;
@@ -20,8 +21,8 @@ use super::{ColorChoice, Failure, Verdict, exit_status, setup_help};
 
 /// Run a program and say why: each event with the text of its rules.
 ///
-/// A rule is printed in full where it is met first, later with its title only. The reference
-/// implementation runs.
+/// A rule is printed in full where it is met first, later with its title only. At an alarm the calls, variables and
+/// modes in force are shown on standard error. The reference implementation runs.
 #[derive(clap::Args)]
 #[command(after_help = concat!(
     "Examples:\n  turnspec explain shaft.min\n  turnspec explain shaft.min --block N010\n  \
@@ -81,6 +82,7 @@ pub fn carry_out(arguments: &Arguments, color: ColorChoice) -> Result<Verdict, F
         Explanation { out, sources: &sources, book: &book, told: BTreeSet::new(), block: None };
     let mut run = Run::new(&program.text, &setup);
     let mut alarm = None;
+    let mut variables = CommonVariables::default();
     let mut written = Ok(());
     let mut found = arguments.block.is_none();
     loop {
@@ -90,6 +92,7 @@ pub fn carry_out(arguments: &Arguments, color: ColorChoice) -> Result<Verdict, F
                 found = true;
                 written = explanation.event(event);
             }
+            variables.event(event);
             if let Action::Alarm(each) = event.action {
                 alarm = Some((each, *event));
             }
@@ -103,6 +106,7 @@ pub fn carry_out(arguments: &Arguments, color: ColorChoice) -> Result<Verdict, F
     if let Some((alarm, event)) = &alarm {
         let reporter = Reporter::new(&sources, &book, color.on_stderr());
         reporter.report(alarm, &event.rules, &event.block, event.block.start..event.block.end);
+        let _ = stderr().write_all(situation(&run, &variables).as_bytes());
     }
     if !found {
         return Err(Failure::about(

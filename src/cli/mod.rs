@@ -21,6 +21,7 @@ mod options;
 mod report;
 mod rules;
 mod run;
+mod situation;
 mod sources;
 mod trace;
 mod words;
