@@ -95,11 +95,19 @@ impl Parser<'_> {
             Some(b'[' | b'$') => return Fault::raise(AlarmName::EqualSignMissing, FMT_02),
             _ => return Fault::raise(AlarmName::NumberMalformed, FMT_01),
         };
-        if matches!(address, Address::P | Address::Q) {
-            return Err(Fault::about(AlarmName::NotModelled, ADDR_01, Label::new(address.text())));
-        }
         self.push_word(address, source);
         Ok(())
+    }
+
+    /// P and Q belong to functions that are not modelled yet (E100L-ADDR-01).
+    #[inline]
+    pub(super) fn refuse_later_word(&self) -> Result<(), Fault> {
+        match self.block.items.last().and_then(Item::address) {
+            Some(address @ (Address::P | Address::Q)) => {
+                Err(Fault::about(AlarmName::NotModelled, ADDR_01, Label::new(address.text())))
+            }
+            _ => Ok(()),
+        }
     }
 
     fn push_word(&mut self, address: Address, source: Source) {

@@ -141,8 +141,9 @@ impl Parser<'_> {
             match class(byte) {
                 Class::Letter => {
                     self.item(byte)?;
-                    if let Some(rule) = refusal {
-                        self.refuse_word(rule)?;
+                    match refusal {
+                        Some(rule) => self.refuse_word(rule)?,
+                        None => self.refuse_later_word()?,
                     }
                 }
                 Class::Ignored | Class::Tab | Class::Open => self.skip_blanks()?,

@@ -294,7 +294,7 @@ impl<'a> Reader<'a> {
             let extension = extension.get(..letters).unwrap_or_default();
             let name = match extension {
                 b"SDF" => AlarmName::NotModelled,
-                b"SUB" | b"SSB" => AlarmName::ProgramKind,
+                b"SUB" | b"SSB" | b"MSB" => AlarmName::ProgramKind,
                 _ => return Ok(()),
             };
             return Err(Fault::about(name, PROG_01, Label::from_bytes(extension)));

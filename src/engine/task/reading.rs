@@ -52,9 +52,13 @@ impl Interpreter<'_> {
             if self.reader.passes_over(lines)? {
                 continue;
             }
-            self.count_step(slot, turn)?;
             if self.ends_program(lines, turn) {
                 return Ok(false);
+            }
+            if let Err(limit) = self.count_step(slot, turn)
+                && !(self.begun && !self.task.is_called() && self.names_program(lines))
+            {
+                return Err(limit);
             }
             let idle = self.parse(slot, lines, buffer)?;
             if lines.start < self.task.present.kept_until {
@@ -135,8 +139,8 @@ impl Interpreter<'_> {
         Fault::raise(AlarmName::StepLimit, GOTO_03)
     }
 
-    /// Whether the program ends before these lines. A name block behind the main program is a block like
-    /// others when the run arrives there.
+    /// Whether the program ends before these lines. A name block behind the main program is checked like
+    /// other blocks when the run arrives there, but is no step.
     #[inline]
     fn ends_program(&self, lines: Lines, turn: Turn) -> bool {
         lines.start >= self.task.present.end || turn == Turn::Ahead && self.names_program(lines)
