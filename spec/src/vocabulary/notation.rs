@@ -260,8 +260,8 @@ fn mismatch(line: &str, event: &Event) -> Option<String> {
         };
         let fits = match key {
             "line" => event.block.line.to_string() == value,
-            "block" => event.block.sequence.as_str() == value,
-            "program" => event.block.program.as_str() == value,
+            "block" => absent_or(event.block.sequence.as_str(), value),
+            "program" => absent_or(event.block.program.as_str(), value),
             "rules" => {
                 value.split('+').all(|id| event.rules.as_slice().iter().any(|rule| rule.as_str() == id))
             }
@@ -277,10 +277,15 @@ fn mismatch(line: &str, event: &Event) -> Option<String> {
     })
 }
 
+/// Whether a name is the expected one; `-` stands for none.
+fn absent_or(name: &str, value: &str) -> bool {
+    name == value || name.is_empty() && value == "-"
+}
+
 #[cfg(test)]
 mod tests {
     use super::{Expectation, render};
-    use crate::vocabulary::{Action, Event, Place, Reading, ReadingSet, RuleSet};
+    use crate::vocabulary::{Action, Event, Label, Place, Reading, ReadingSet, RuleSet};
 
     #[test]
     fn readings_are_written_where_there_are_any() {
@@ -290,6 +295,15 @@ mod tests {
         let readings = none.with(Reading::ALL[0]);
         let expected = format!("stop line=0 rules= readings={}", Reading::ALL[0].as_str());
         assert_eq!(render(&Event { readings, ..event }), expected);
+    }
+
+    #[test]
+    fn a_name_that_is_not_there_is_a_dash() {
+        let (block, rules, readings) = (Place::default(), RuleSet::EMPTY, ReadingSet::default());
+        let event = Event { n: 1, block, rules, readings, action: Action::Stop };
+        assert!(Expectation::parse("stop block=- program=-").matches(&[event]).is_ok());
+        let block = Place { sequence: Label::new("N1"), ..block };
+        assert!(Expectation::parse("stop block=-").matches(&[Event { block, ..event }]).is_err());
     }
 
     #[test]
