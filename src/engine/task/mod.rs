@@ -103,3 +103,6 @@ impl<'a> Task<'a> {
         u8::try_from(self.frames.len()).unwrap_or(u8::MAX)
     }
 }
+
+#[cfg(test)]
+mod tests;
