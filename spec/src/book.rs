@@ -92,6 +92,8 @@ chapters! {
     "e100l/expressions.md"
     "e100l/functions.md"
     "e100l/variables.md"
+    "e100l/control-statements.md"
+    "e100l/local-variables.md"
     "e100l/coordinates.md"
     "e100l/motion.md"
     "e100l/arcs.md"
@@ -110,6 +112,9 @@ chapters! {
     "e100l/miscellaneous.md"
     "e100l/c-axis.md"
     "e100l/barriers.md"
+    "e100l/subprograms.md"
+    "e100l/modal-calls.md"
+    "e100l/macros.md"
 }
 
 /// Every rule of the OSP-E100L, in the order of the book.

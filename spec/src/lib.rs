@@ -8,8 +8,8 @@
 //! globals, no floating point that is not correctly rounded. Use the `turnspec` crate when you need
 //! speed.
 //!
-//! One way through it, a stage a room: `syntax` (text to blocks), `task` (expressions and variables),
-//! `modal` (codes and modes), `path` (motion), `compensation` (nose radius), `frame` (machine coordinates and
+//! One way through it, a stage a room: `syntax` (text to blocks), `run` (which block comes next), `task`
+//! (expressions, variables, and the programs that run within each other), `modal` (codes and modes), `path` (motion), `compensation` (nose radius), `frame` (machine coordinates and
 //! limits); `controls` holds the tables, `integer`, `quantity` and `real` the numbers.
 
 pub mod book;
@@ -31,4 +31,4 @@ mod task;
 pub mod vocabulary;
 
 pub use check::{Diagnostic, check};
-pub use run::{Run, run};
+pub use run::{ActiveMode, ActiveProgram, LocalVariable, Run, run};

@@ -99,6 +99,14 @@ impl Compensation {
         Ok(())
     }
 
+    /// The end of a statement: it is not counted (E100L-CTL-01).
+    pub fn end_of_statement(&mut self, stream: &mut Stream) {
+        *self = match std::mem::take(self) {
+            Self::On(on) => Self::On(Box::new(on.pass_statement(stream))),
+            other => other,
+        };
+    }
+
     /// M02 or M30: the last motion ends in contact, and the axes stay there (E100L-NRC-44).
     pub fn end_of_program(&mut self, stream: &mut Stream, state: &State) -> Outcome<()> {
         if let Self::On(on) = std::mem::take(self) {

@@ -124,6 +124,16 @@ impl On {
         Ok(Self::started(axes, Waiting::Nothing(last, Back::present(stream.place, state))))
     }
 
+    /// A statement has ended, which is no block without motion: its events wait behind the motion, if one waits.
+    pub fn pass_statement(self, stream: &mut Stream) -> Self {
+        if !matches!(self.waiting, Waiting::Nothing(..)) {
+            return self.hold(stream);
+        }
+        let held = Held { axes: self.axes, events: self.held };
+        let axes = held.release(stream);
+        Self { axes, waiting: self.waiting, one_between: self.one_between, held: Vec::new() }
+    }
+
     /// Compensation or the program ends; `rule` is that of the contact then. The axes are where the last motion ended.
     pub fn conclude(
         self,

@@ -7,7 +7,7 @@ use crate::fault::{Fault, Outcome, fail};
 use crate::state::{Modes, State};
 use crate::syntax::Address;
 use crate::vocabulary::rule_ids::*;
-use crate::vocabulary::{AlarmName, Chamfering, Setup};
+use crate::vocabulary::{AlarmName, Chamfering, Label, Setup};
 
 /// A block that can be carried out.
 #[derive(Clone, Debug)]
@@ -46,6 +46,11 @@ impl Plan {
         matches!(self.one_shot, Some(75 | 76))
     }
 
+    /// Whether it is a motion that modal calls come after (E100L-MODIN-03).
+    pub fn triggers(&self) -> bool {
+        self.moves && self.one_shot != Some(22) && self.words.has_any("XZ")
+    }
+
     /// Whether an angle is all that it says of its end point (E100L-ANG-06).
     pub fn is_angle_only(&self) -> bool {
         self.moves && self.motion() <= 1 && self.words.get('A').is_some() && !self.words.has_any("XZ")
@@ -61,6 +66,8 @@ pub struct Before {
     pub after_angle: bool,
     /// Whether a displacement of radius compensation is left over (E100L-NRC-71).
     pub left_over: bool,
+    /// Whether a motion of X or Z calls programs (E100L-MODIN-02).
+    pub modal: bool,
 }
 
 /// Checks the words of a block.
@@ -87,6 +94,10 @@ pub fn check(words: Words, before: Before, state: &State) -> Outcome<Plan> {
         Some(50) => zero_shift(&words, setup)?,
         Some(code @ (75 | 76)) => {
             chamfer(code, &words, motion, setup)?;
+            if before.modal && words.has_any("XZ") {
+                let detail = Label::of_code(b'G', code);
+                return Err(Fault::about(AlarmName::Unspecified, MODIN_02, detail.as_str()));
+            }
             path(&words, motion, before.after_angle, setup)?;
             moves = true;
         }

@@ -82,8 +82,13 @@ impl Words {
 }
 
 /// E100L-AEXP-11: evaluates the items of a block from left to right; assignments take effect, and emit their
-/// events, at once.
-pub fn evaluate(items: &[Item], state: &mut State, emissions: &mut Vec<Emission>) -> Outcome<Words> {
+/// events, at once. `owner` says whose the local variables are that they register.
+pub fn evaluate(
+    items: &[Item],
+    owner: task::Registration,
+    state: &mut State,
+    emissions: &mut Vec<Emission>,
+) -> Outcome<Words> {
     let mut words = Words::default();
     for item in items {
         let result = match &item.kind {
@@ -93,7 +98,7 @@ pub fn evaluate(items: &[Item], state: &mut State, emissions: &mut Vec<Emission>
             }
             ItemKind::Assignment(target, value) => {
                 words.assigns = true;
-                task::assign(target, value, state).map(|mut events| emissions.append(&mut events))
+                task::assign(target, value, owner, state).map(|mut events| emissions.append(&mut events))
             }
             ItemKind::Word(address, value) => add(*address, value, item.span.clone(), state, &mut words),
         };
@@ -226,6 +231,9 @@ fn add_g(given: &Given, words: &mut Words) -> Outcome<()> {
     let detail = Label::of_code(b'G', code);
     let group = match g_code(code) {
         GCode::Modelled(group) => group,
+        GCode::Macro => {
+            return Err(Fault::about(AlarmName::StatementMisplaced, MACRO_01, detail.as_str()));
+        }
         GCode::Later => return Err(Fault::about(AlarmName::NotModelled, GTAB_01, detail.as_str())),
         GCode::Unspecified => return Err(Fault::about(AlarmName::Unspecified, GTAB_01, detail.as_str())),
         GCode::Unassigned => return fail(AlarmName::GCodeUnassigned, GTAB_01),
@@ -248,6 +256,10 @@ fn add_m(given: &Given, words: &mut Words) -> Outcome<()> {
     let code = code(given, 511, MCODE_01)?;
     match m_code(code) {
         MCode::Modelled => {}
+        MCode::Macro => {
+            let detail = Label::of_code(b'M', code);
+            return Err(Fault::about(AlarmName::StatementMisplaced, MACRO_02, detail.as_str()));
+        }
         MCode::Later => {
             // A barrier that is on would have to be watched.
             let rule = match code {

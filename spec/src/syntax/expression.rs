@@ -1,9 +1,9 @@
 //! Expressions, one function a level of precedence (E100L-MATH-17, E100L-AEXP-05, E100L-AEXP-06, E100L-AEXP-07).
 
 use super::cursor::Cursor;
-use super::items::{has_blanks, local_variable, not_has_blanks, variable};
+use super::items::{has_blanks, local_name, not_has_blanks, variable};
 use super::number;
-use super::tree::{BinaryOperator, Expression, Function};
+use super::tree::{BinaryOperator, Expression, Function, Variable};
 use crate::controls::e100l::addresses::{EXTENDED, EXTENDED_LATER, OPERATOR_WORDS, STATEMENTS};
 use crate::fault::{Fault, Outcome, fail};
 use crate::vocabulary::rule_ids::*;
@@ -112,13 +112,20 @@ fn named(cursor: &mut Cursor, setup: &Setup) -> Outcome<Expression> {
         return call(cursor, setup, function);
     }
     let one_letter = !name.as_bytes().get(1).is_some_and(u8::is_ascii_uppercase);
-    let reserved = EXTENDED.contains(&name)
+    cursor.advance(name.len());
+    if one_letter || is_reserved(name) {
+        return fail(AlarmName::Format, AEXP_01);
+    }
+    Ok(Expression::Variable(Box::new(Variable::Local(local_name(name)?))))
+}
+
+/// E100L-LVAR-02: names that no local variable can have, besides those of functions.
+pub fn is_reserved(name: &str) -> bool {
+    EXTENDED.contains(&name)
         || EXTENDED_LATER.contains(&name)
         || STATEMENTS.contains(&name)
         || OPERATOR_WORDS.contains(&name)
-        || matches!(name, "NOT" | "CALRG");
-    cursor.advance(name.len());
-    if one_letter || reserved { fail(AlarmName::Format, AEXP_01) } else { Err(local_variable(name)) }
+        || matches!(name, "NOT" | "CALRG")
 }
 
 /// E100L-MATH-08, E100L-FUNC-01: arguments in square brackets.
@@ -144,7 +151,7 @@ fn call(cursor: &mut Cursor, setup: &Setup, function: Function) -> Outcome<Expre
 }
 
 /// E100L-AEXP-04.
-fn close_bracket(cursor: &mut Cursor) -> Outcome<()> {
+pub fn close_bracket(cursor: &mut Cursor) -> Outcome<()> {
     cursor.skip_blanks()?;
     if cursor.take(b']') { Ok(()) } else { fail(AlarmName::BracketUnbalanced, AEXP_04) }
 }

@@ -7,26 +7,32 @@ use crate::controls::e100l::addresses::{EXTENDED, EXTENDED_LATER, LETTERS, OPERA
 use crate::controls::e100l::system_variables::{self, SystemVariable};
 use crate::fault::{Fault, Outcome, fail};
 use crate::vocabulary::rule_ids::*;
-use crate::vocabulary::{AlarmName, Setup};
+use crate::vocabulary::{AlarmName, Label, Setup};
 
 /// Reads items to the end of the block.
 pub fn items(cursor: &mut Cursor, setup: &Setup) -> Outcome<Vec<Item>> {
     let mut items: Vec<Item> = Vec::new();
-    loop {
-        cursor.skip_blanks()?;
-        if cursor.peek().is_none() {
-            return Ok(items);
+    while let Some(item) = next(cursor, setup)? {
+        if item.kind == ItemKind::MajorArc && items.iter().any(|item| item.kind == ItemKind::MajorArc) {
+            return Err(Fault::new(AlarmName::DuplicateAddress, FMT_06).at(item.span));
         }
-        let start = cursor.mark();
-        let kind = item(cursor, setup).map_err(|fault| {
-            let span = cursor.span_from(start);
-            fault.at(span.start..span.end.max(span.start + 1))
-        })?;
-        if kind == ItemKind::MajorArc && items.iter().any(|item| item.kind == ItemKind::MajorArc) {
-            return Err(Fault::new(AlarmName::DuplicateAddress, FMT_06).at(cursor.span_from(start)));
-        }
-        items.push(Item { kind, span: cursor.span_from(start) });
+        items.push(item);
     }
+    Ok(items)
+}
+
+/// The next item of the block.
+pub fn next(cursor: &mut Cursor, setup: &Setup) -> Outcome<Option<Item>> {
+    cursor.skip_blanks()?;
+    if cursor.peek().is_none() {
+        return Ok(None);
+    }
+    let start = cursor.mark();
+    let kind = item(cursor, setup).map_err(|fault| {
+        let span = cursor.span_from(start);
+        fault.at(span.start..span.end.max(span.start + 1))
+    })?;
+    Ok(Some(Item { kind, span: cursor.span_from(start) }))
 }
 
 fn item(cursor: &mut Cursor, setup: &Setup) -> Outcome<ItemKind> {
@@ -78,13 +84,17 @@ fn named(cursor: &mut Cursor, setup: &Setup) -> Outcome<ItemKind> {
     }
     match name.as_bytes().first() {
         Some(letter @ (b'N' | b'O')) => Err(no_address(*letter)),
-        _ => Err(local_variable(name)),
+        _ => setting(cursor, Variable::Local(local_name(name)?), setup),
     }
 }
 
-/// Local variables are not modelled yet.
-pub fn local_variable(name: &str) -> Fault {
-    Fault::about(AlarmName::NotModelled, AEXP_01, name.get(..8).unwrap_or(name))
+/// E100L-LVAR-01: a run that begins with two letters and is nothing else, as the name of a local variable.
+pub fn local_name(run: &str) -> Outcome<Label> {
+    if run.len() > 4 || run.starts_with(['N', 'O']) {
+        let detail = run.get(..8).unwrap_or(run);
+        return Err(Fault::about(AlarmName::LocalNameMalformed, LVAR_01, detail));
+    }
+    Ok(Label::new(run))
 }
 
 /// E100L-FMT-01, E100L-FMT-02, E100L-FMT-03: the value of a word.
@@ -148,6 +158,11 @@ fn operator_follows(cursor: &mut Cursor) -> Outcome<bool> {
 /// E100L-AEXP-01: a variable, `=` and an expression.
 fn assignment(cursor: &mut Cursor, setup: &Setup) -> Outcome<ItemKind> {
     let target = variable(cursor, setup)?;
+    setting(cursor, target, setup)
+}
+
+/// E100L-FMT-02: the rest of an assignment.
+fn setting(cursor: &mut Cursor, target: Variable, setup: &Setup) -> Outcome<ItemKind> {
     cursor.skip_blanks()?;
     if !cursor.take(b'=') {
         return fail(AlarmName::EqualSignMissing, FMT_02);

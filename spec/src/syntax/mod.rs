@@ -6,10 +6,12 @@ mod grammar;
 mod items;
 mod number;
 mod source;
+mod statement;
 mod tree;
 
-pub use grammar::parse;
-pub use source::Source;
+pub use grammar::{Heading, heading, parse};
+pub use source::{Line, Source};
 pub use tree::{
-    Address, BinaryOperator, Body, Decimal, Expression, Function, Item, ItemKind, Value, Variable,
+    Address, BinaryOperator, Body, Callee, Condition, Decimal, Expression, Function, Item, ItemKind,
+    Statement, Value, Variable,
 };

@@ -22,7 +22,7 @@ pub struct Character {
 /// The text of one block: a line and its continuations.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Line {
-    /// Its characters; a continuation mark reads as a blank. Those of a block that is too long are not kept.
+    /// Its characters; a continuation mark reads as a blank.
     pub characters: Vec<Character>,
     /// How many there are, without carriage returns.
     pub length: usize,
@@ -43,7 +43,24 @@ pub struct Source<'a> {
 impl<'a> Source<'a> {
     /// The source of a program text.
     pub fn new(bytes: &'a [u8], code: TapeCode) -> Self {
-        Self { bytes, code, position: 0, line: 1 }
+        Self::at(bytes, code, (0, 1))
+    }
+
+    /// The source of the rest of a text, from the byte and the line on at which a block begins.
+    pub fn at(bytes: &'a [u8], code: TapeCode, (position, line): (usize, u32)) -> Self {
+        Self { bytes, code, position, line }
+    }
+
+    /// Byte and line of this place.
+    pub fn here(&self) -> (usize, u32) {
+        (self.position, self.line)
+    }
+
+    /// Passes the file header over, whatever it says.
+    pub fn skip_header(&mut self) {
+        if self.position == 0 && self.at_dollar() {
+            self.physical_line();
+        }
     }
 
     /// The next block's text, its continuation lines joined (E100L-AEXP-12); lines of `%` alone are no blocks (E100L-TAPE-04). At the end `None`.
@@ -73,9 +90,7 @@ impl<'a> Source<'a> {
                     mark.code = b' ';
                 }
                 line.length += continuation.length;
-                if line.length <= BLOCK_LENGTH {
-                    line.characters.append(&mut characters);
-                }
+                line.characters.append(&mut characters);
             }
             return Ok(Some(line));
         }
@@ -121,10 +136,13 @@ impl<'a> Source<'a> {
         }
         let extension = text.rsplit(|code| *code == b'.').next().unwrap_or_default();
         let letters = extension.iter().take_while(|code| code.is_ascii_uppercase()).count();
-        // E100L-PROG-01: schedule programs and subprograms.
+        // E100L-PROG-01: schedule programs, and subprograms, which are only called.
         match std::str::from_utf8(extension.get(..letters).unwrap_or_default()) {
-            Ok(kind @ ("SDF" | "SUB" | "SSB")) if text.contains(&b'.') => {
+            Ok(kind @ "SDF") if text.contains(&b'.') => {
                 Err(Fault::about(AlarmName::NotModelled, PROG_01, kind))
+            }
+            Ok(kind @ ("SUB" | "SSB")) if text.contains(&b'.') => {
+                Err(Fault::about(AlarmName::ProgramKind, PROG_01, kind))
             }
             _ => Ok(()),
         }
@@ -165,7 +183,7 @@ impl<'a> Source<'a> {
             }
             // A run of carriage returns is one blank.
             let repeated = |before: &Character| character.code == b'\r' && before.code == b'\r' && !faulty;
-            if length <= BLOCK_LENGTH && !characters.last().is_some_and(repeated) {
+            if !characters.last().is_some_and(repeated) {
                 characters.push(character);
             }
         }

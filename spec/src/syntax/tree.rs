@@ -25,6 +25,60 @@ pub enum Body {
     Skipped,
     /// Words, assignments and mnemonics; none in a block of a sequence name alone.
     Items(Vec<Item>),
+    /// `NOEX` and assignments, or alone (E100L-NOEX-01).
+    Noex(Vec<Item>),
+    /// A statement (E100L-CTL-01).
+    Statement(Statement),
+}
+
+/// A statement that tells which block comes next; the items behind it are all assignments.
+#[derive(Clone, PartialEq, Debug)]
+pub enum Statement {
+    /// `GOTO` and the sequence name of a block (E100L-GOTO-01).
+    Goto(Label),
+    /// `IF`, what decides, and the sequence name of a block (E100L-IFST-01, E100L-IFST-02).
+    If(Condition, Label),
+    /// `CALL`, or a macro code that calls (E100L-CALL-01, E100L-MACRO-01, E100L-MACRO-02).
+    Call(Callee, Vec<Item>),
+    /// `RTS` (E100L-RTS-01).
+    Return,
+    /// `MODIN`, or a macro code that acts as it (E100L-MODIN-01, E100L-MACRO-01).
+    Modin(Callee, Vec<Item>),
+    /// `MODOUT` (E100L-MODIN-04).
+    Modout,
+}
+
+/// The program that a statement names.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Callee {
+    /// Its name, with its `O`.
+    Program(Label),
+    /// The macro code that the set-up gives it to.
+    Code(Label),
+}
+
+/// What an IF statement depends on.
+#[derive(Clone, PartialEq, Debug)]
+pub enum Condition {
+    /// An expression in brackets (E100L-IFST-01).
+    Value(Expression),
+    /// Whether a local variable is registered (E100L-IFST-02).
+    Registered(Label),
+}
+
+impl Statement {
+    /// Its keyword, or its macro code.
+    pub fn label(&self) -> Label {
+        match self {
+            Self::Goto(_) => Label::new("GOTO"),
+            Self::If(..) => Label::new("IF"),
+            Self::Call(Callee::Code(code), _) | Self::Modin(Callee::Code(code), _) => *code,
+            Self::Call(..) => Label::new("CALL"),
+            Self::Return => Label::new("RTS"),
+            Self::Modin(..) => Label::new("MODIN"),
+            Self::Modout => Label::new("MODOUT"),
+        }
+    }
 }
 
 /// One item of a block.
@@ -86,6 +140,14 @@ pub struct Decimal {
     pub point: bool,
 }
 
+impl Decimal {
+    /// Its value, if it is a whole number.
+    pub fn whole(self) -> Option<i64> {
+        let unit = 10_i64.checked_pow(self.scale)?;
+        (self.digits % unit == 0).then_some(self.digits / unit)
+    }
+}
+
 /// An expression (E100L-AEXP-01).
 #[derive(Clone, PartialEq, Debug)]
 pub enum Expression {
@@ -117,6 +179,8 @@ pub enum Variable {
     Common(u8),
     /// A system variable with its suffix (E100L-SVAR-01).
     System(&'static SystemVariable, Option<Expression>),
+    /// A local variable, by name (E100L-LVAR-01).
+    Local(Label),
 }
 
 /// Operators between two operands.

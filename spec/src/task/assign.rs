@@ -1,6 +1,7 @@
-//! Setting variables (E100L-CVAR-04, E100L-TYPE-04, E100L-TYPE-05, E100L-TYPE-07, E100L-SVAR-02 to -10).
+//! Setting variables (E100L-CVAR-04, E100L-LVAR-13, E100L-TYPE-04, E100L-TYPE-05, E100L-TYPE-07, E100L-SVAR-02 to -10).
 
 use super::evaluate;
+use super::locals::Registration;
 use super::memory::{droop_index, of_pair_mut};
 use super::number::Number;
 use super::read::suffix_value;
@@ -15,8 +16,20 @@ use crate::vocabulary::rule_ids::*;
 use crate::vocabulary::{Action, AlarmName, Angle, FrameCause, Label, Length, RuleSet, UnitSystem, Value};
 
 /// Carries an assignment out; its events.
-pub fn assign(target: &Variable, value: &Expression, state: &mut State) -> Outcome<Vec<Emission>> {
+pub fn assign(
+    target: &Variable,
+    value: &Expression,
+    registration: Registration,
+    state: &mut State,
+) -> Outcome<Vec<Emission>> {
     match target {
+        Variable::Local(name) => {
+            // E100L-LVAR-13: a real, without negative zero.
+            let value = evaluate(value, state)?.real() + 0.0;
+            let rules = state.memory.locals.set(*name, value, registration)?;
+            let event = variable_event(name.as_str(), Value::Real(value), &[LVAR_13, TYPE_04]);
+            Ok(vec![event.rules(RuleSet::of(rules))])
+        }
         Variable::Common(number) => {
             let value = state.memory.set_common(*number, evaluate(value, state)?.real());
             Ok(vec![variable_event(&format!("V{number}"), Value::Real(value), &[CVAR_04, TYPE_04])])

@@ -3,7 +3,7 @@
 use super::function;
 use super::number::{Number, finite};
 use super::read;
-use crate::fault::{Outcome, fail};
+use crate::fault::{Fault, Outcome, fail};
 use crate::quantity;
 use crate::state::State;
 use crate::syntax::{BinaryOperator, Decimal, Expression, Variable};
@@ -17,6 +17,10 @@ pub fn evaluate(expression: &Expression, state: &State) -> Outcome<Number> {
         Expression::Real(decimal) => Ok(Number::Real(quantity::nearest_real(&decimal.exact()))),
         Expression::Variable(variable) => match variable.as_ref() {
             Variable::Common(number) => Ok(Number::Real(state.memory.common(*number))),
+            Variable::Local(name) => match state.memory.locals.get(*name) {
+                Some(value) => Ok(Number::Real(value)),
+                None => Err(Fault::about(AlarmName::LocalUndefined, LVAR_05, name.as_str())),
+            },
             Variable::System(system, suffix) => read::system_variable(system, suffix.as_ref(), state),
         },
         Expression::Sign { minus, operand } => {

@@ -1,5 +1,6 @@
-//! What variables hold besides the frame: common variables, and plain stores.
+//! What variables hold besides the frame: common and local variables, and plain stores.
 
+use super::locals::Locals;
 use crate::controls::e100l::system_variables::Axis;
 use crate::vocabulary::{Length, Setup};
 
@@ -7,6 +8,8 @@ use crate::vocabulary::{Length, Setup};
 #[derive(Clone, Debug)]
 pub struct Memory {
     common: Vec<f64>,
+    /// Local variables.
+    pub locals: Locals,
     /// Nose radius amounts by number: X and Z, in nanometres.
     pub nose_radii: Vec<(i64, i64)>,
     /// Barrier dimensions in the order of the set-up, in nanometres.
@@ -48,6 +51,7 @@ impl Memory {
         ];
         Self {
             common,
+            locals: Locals::default(),
             nose_radii,
             barriers: barriers.map(|Length(value)| value),
             droop: [setup.droop.x, setup.droop.z, setup.droop.c],

@@ -76,6 +76,8 @@ impl GGroup {
 pub enum GCode {
     /// It is modelled and belongs to this group.
     Modelled(GGroup),
+    /// It is a macro code, and as such a statement (E100L-MACRO-01).
+    Macro,
     /// It is assigned; its behaviour is not modelled yet.
     Later,
     /// It is in the table and the manual never says what it does.
@@ -103,7 +105,8 @@ pub fn g_code(code: u16) -> GCode {
         14 | 31..=35 | 71..=74 | 77 | 78 | 80..=88 | 101..=103 | 111..=113 | 132 | 133 => {
             return GCode::Later;
         }
-        136..=138 | 161..=171 | 178..=190 | 205..=214 | 312 | 313 => return GCode::Later,
+        136..=138 | 178..=190 | 312 | 313 => return GCode::Later,
+        161..=171 | 205..=214 => return GCode::Macro,
         _ => return GCode::Unassigned,
     };
     GCode::Modelled(group)

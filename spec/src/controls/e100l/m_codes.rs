@@ -64,6 +64,8 @@ pub fn group_of(code: u16) -> Option<&'static MGroup> {
 pub enum MCode {
     /// It is modelled.
     Modelled,
+    /// It is a macro code, and as such a statement (E100L-MACRO-02).
+    Macro,
     /// It is assigned; its behaviour is not modelled yet.
     Later,
     /// It is not in the table.
@@ -73,7 +75,8 @@ pub enum MCode {
 /// Looks an M code up.
 pub fn m_code(code: u16) -> MCode {
     match code {
-        21 | 25 | 100 | 321..=325 | 341..=360 => MCode::Later,
+        21 | 25 | 100 => MCode::Later,
+        321..=325 | 341..=360 => MCode::Macro,
         0..=6 | 8 | 9 | 12..=30 | 32..=44 | 48..=51 | 54..=56 | 58..=70 | 72..=81 | 83..=99 => {
             MCode::Modelled
         }
