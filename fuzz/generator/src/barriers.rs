@@ -401,4 +401,77 @@ impl Builder<'_, '_, '_> {
         }
         self.travelled(from, self.present(), centre);
     }
+
+    /// Data of a jaw beside the present point; false where they cannot be written.
+    pub(crate) fn jaw_beside(&mut self) -> bool {
+        if self.state.is_eia() || !self.allows(Feature::SystemVariable) {
+            return false;
+        }
+        let x = self.state.program(Axis::X).abs() / 1_000;
+        let z = self.state.program(Axis::Z) / 1_000;
+        let mut items = Vec::new();
+        for (name, value) in [("VCHKL", 20_000), ("VCHKD", 15_000), ("VCHKX", x), ("VCHKZ", z - 5_000)] {
+            let (item, value) = self.assign_length(Variable::System(name), value, value);
+            let data = &mut self.state.barriers.data;
+            let field = match name {
+                "VCHKL" => &mut data.grip_length,
+                "VCHKD" => &mut data.grip_height,
+                "VCHKX" => &mut data.chuck_x,
+                _ => &mut data.chuck_z,
+            };
+            *field = Length(value);
+            items.push(item);
+        }
+        self.push(items);
+        self.begin();
+        true
+    }
+
+    /// Switches barriers on and moves into one, by an increment or far, straight, along an arc, by a torque skip.
+    pub(crate) fn into_barrier(&mut self) -> bool {
+        let lists = self.state.barriers.rectangles();
+        let places: Vec<usize> = (0..2).filter(|place| !lists[*place].is_empty()).collect();
+        if places.is_empty() {
+            return false;
+        }
+        let place = places[self.choices.below(places.len())];
+        let area = lists[place][self.choices.below(lists[place].len())];
+        let (code, _) = CODES[place];
+        self.state.barriers.note_m(code);
+        let beside = self.choices.chance(30);
+        if !beside {
+            self.push(vec![Item::m(code)]);
+            self.begin();
+        }
+        let finest = 2 * self.state.units.finest();
+        let inside = |choices: &mut Choices<'_, '_>, (low, high): (i64, i64)| match choices.below(4) {
+            0 => low + finest,
+            1 => high - finest,
+            _ => low + (high - low) / 2,
+        };
+        let (z, x) = (inside(self.choices, area.z), inside(self.choices, area.x));
+        let expressions = std::mem::take(&mut self.expressions);
+        let mut items = vec![self.incremental_word(false)];
+        let skip = self.choices.chance(15) && self.allows(Feature::Torque) && !self.state.is_eia();
+        let mode = self.choices.pick(&[Mode::Rapid, Mode::Linear, Mode::Clockwise]);
+        self.select(if skip { Mode::Rapid } else { mode }, &mut items);
+        self.feed_if_needed(&mut items);
+        let start = if skip { (area.z.1 + 5 * MM, x) } else { (z, x) };
+        if beside {
+            items.push(Item::m(code));
+        }
+        self.go(start, &mut items, None);
+        if mode == Mode::Clockwise && !skip {
+            items.push(self.plain_length("L", 400 * MM).0);
+        }
+        self.push(items);
+        if skip {
+            let (z, d, l) = (z, MM, 2 * MM);
+            let target = self.plain_length("Z", z).0;
+            let (d, l) = (self.plain_length("D", d).0, self.plain_length("L", l).0);
+            self.push(vec![Item::g(22), target, d, l, Item::whole("F", 1), Item::whole("PZ", 50)]);
+        }
+        self.expressions = expressions;
+        true
+    }
 }

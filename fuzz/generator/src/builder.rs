@@ -82,7 +82,7 @@ const KINDS: &[(usize, Kind)] = &[
 const START_UPS: (usize, usize) = (40, 1);
 
 /// How often a block is one of control flow, in programs that are to have it.
-const CONTROL: usize = 36;
+const CONTROL: usize = 44;
 
 /// How often a block goes to the edge of a barrier, in programs that are to have barriers.
 const BARRIER: usize = 24;
@@ -124,7 +124,7 @@ impl<'b, 'c, 'd> Builder<'b, 'c, 'd> {
         let expressions = if profile.allows(Feature::Expression) { expressions } else { 0 };
         let (many, few) = START_UPS;
         let start_ups = if choices.chance(40) { many } else { few };
-        let control = if choices.chance(32) { CONTROL } else { 0 };
+        let control = if choices.chance(50) { CONTROL } else { 0 };
         let barrier = if state.barriers.is_wanted() { BARRIER } else { 0 };
         let special = [(start_ups, Kind::StartUp), (control, Kind::Control), (barrier, Kind::Barrier)];
         let kinds = KINDS.iter().copied().chain(special);
@@ -164,7 +164,8 @@ impl<'b, 'c, 'd> Builder<'b, 'c, 'd> {
             return write(self);
         }
         for _ in 0..attempts {
-            let (state, lines, left) = (self.state.clone(), self.lines.len(), self.left);
+            let (state, lines) = (self.state.clone(), self.lines.len());
+            let (left, due) = (self.left, self.due);
             let (tail, programs) = self.state.control.written();
             let written = write(self);
             let mut texts = vec![self.text_of(self.lines.get(lines..).unwrap_or_default())];
@@ -172,7 +173,7 @@ impl<'b, 'c, 'd> Builder<'b, 'c, 'd> {
             if written && texts.iter().all(|text| self.profile.permits_text(text, state.mode)) {
                 return true;
             }
-            (self.state, self.left) = (state, left);
+            (self.state, self.left, self.due) = (state, left, due);
             self.lines.truncate(lines);
         }
         false
@@ -283,6 +284,7 @@ impl<'b, 'c, 'd> Builder<'b, 'c, 'd> {
             }
             let tail: &[u8] = if self.choices.chance(15) { b" (SHAFT)" } else { b"" };
             let known = String::from_utf8_lossy(&name[1..]).into_owned();
+            self.state.control.main = Some(known.clone());
             self.state.control.names.insert(known);
             self.raw(&[name, tail].concat());
         }
@@ -309,15 +311,16 @@ impl<'b, 'c, 'd> Builder<'b, 'c, 'd> {
 
     fn next_block(&mut self) -> bool {
         self.begin();
-        if self.state.compensation.is_on() {
-            let kind = self.compensated_kind();
-            self.fitting(|builder| builder.block_of(kind));
-        } else if self.state.barriers.is_watched() {
+        if self.state.barriers.is_watched() {
             self.clear_of_barriers();
-            let kind = self.free_kind();
+        }
+        let compensated = self.state.compensation.is_on();
+        let kind = if compensated { self.compensated_kind() } else { self.free_kind() };
+        let may_not_fit = compensated || self.state.barriers.is_watched();
+        // Blocks of control flow fit one by one.
+        if may_not_fit && !matches!(kind, Kind::Control) {
             self.fitting(|builder| builder.block_of(kind));
         } else {
-            let kind = self.free_kind();
             self.block_of(kind);
         }
         true

@@ -11,7 +11,7 @@ use crate::program::{Item, Line, Statement, Value};
 
 use super::local::{NAMES, Owner};
 use super::passes::compare;
-use super::steady::{Called, Nature};
+use super::steady::Called;
 
 /// Macro codes that call.
 const CALLING: &[(char, i64, i64)] = &[('G', 171, 171), ('G', 205, 214), ('M', 321, 325), ('M', 341, 360)];
@@ -180,15 +180,29 @@ impl Builder<'_, '_, '_> {
             if builder.choices.chance(50) {
                 builder.harmless_block();
             }
-            builder.state.control.label = Some(end);
+            builder.set_label(end);
         });
         self.state.control.steady = steady;
         self.known(&counter, 0);
         self.state.control.programs.push(Rc::new(Called { name, lines, again: None }));
     }
 
-    /// A program without motion that is complete, whatever is in force.
-    pub(crate) fn still_program(&mut self) -> String {
-        self.shared_program(Nature::Still).name.clone()
+    /// A program of these lines.
+    pub(crate) fn raw_program(&mut self, lines: &[&str]) -> String {
+        let name = self.program_name();
+        self.named_program(name.clone(), lines);
+        name
+    }
+
+    /// The name of a program that is to come.
+    pub(crate) fn new_program_name(&mut self) -> String {
+        self.program_name()
+    }
+
+    /// A program of this name, whether another one has it or not.
+    pub(crate) fn named_program(&mut self, name: String, lines: &[&str]) {
+        let lines = lines.iter().map(|line| Line::Raw(line.as_bytes().to_vec())).collect();
+        self.state.control.jumps = true;
+        self.state.control.programs.push(Rc::new(Called { name, lines, again: None }));
     }
 }

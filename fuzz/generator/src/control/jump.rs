@@ -107,7 +107,7 @@ impl Builder<'_, '_, '_> {
         for _ in 0..=self.choices.below(2) {
             self.harmless_block();
         }
-        self.state.control.label = Some(name);
+        self.set_label(name);
         self.settle_label();
     }
 

@@ -59,6 +59,8 @@ pub struct Control {
     tail: Vec<Line>,
     /// The sequence name that the next block gets.
     label: Option<String>,
+    /// The name of the main program, without the `O`.
+    pub(crate) main: Option<String>,
     /// Names of programs in use, without the `O`.
     pub(crate) names: BTreeSet<String>,
     /// The greatest depth of calls that was reached.
@@ -108,6 +110,26 @@ impl Control {
         for ((low, high), coordinate) in self.extent.iter_mut().zip(position) {
             (*low, *high) = ((*low).min(coordinate), (*high).max(coordinate));
         }
+    }
+
+    /// Whether a called program runs.
+    pub(crate) fn is_called(&self) -> bool {
+        self.depth > 0
+    }
+
+    /// How many called programs are active.
+    pub(crate) fn calls(&self) -> usize {
+        self.depth
+    }
+
+    /// Whether a modal call is active.
+    pub(crate) fn has_modes(&self) -> bool {
+        !self.modes.is_empty()
+    }
+
+    /// The name of the main program, if it has one.
+    pub(crate) fn main_name(&self) -> Option<String> {
+        self.main.clone()
     }
 
     /// Whether blocks stand behind the end of the present program.
@@ -205,6 +227,7 @@ impl Construction {
                     && !control.steady
                     && !compensated
                     && !builder.is_modal_motion()
+                    && !state.barriers.is_watched()
                     && allows(Feature::Incremental)
                     && rapid(builder)
             }
@@ -293,9 +316,15 @@ impl Builder<'_, '_, '_> {
         name
     }
 
+    /// Gives the next block this name.
+    fn set_label(&mut self, name: String) {
+        self.settle_label();
+        self.state.control.label = Some(name);
+    }
+
     /// A block with this name: one that does something, or the name alone.
     fn labelled(&mut self, name: String) {
-        self.state.control.label = Some(name);
+        self.set_label(name);
         if self.choices.chance(60) && !self.choices.is_empty() {
             self.ordinary_block();
         }
@@ -303,7 +332,7 @@ impl Builder<'_, '_, '_> {
     }
 
     /// Writes a name that no block has taken.
-    fn settle_label(&mut self) {
+    pub(crate) fn settle_label(&mut self) {
         if let Some(name) = self.state.control.take_label() {
             let skipped = self.state.setup.switches.block_delete && self.choices.chance(25);
             let delete = skipped || self.deletable();

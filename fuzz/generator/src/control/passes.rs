@@ -37,7 +37,7 @@ impl Builder<'_, '_, '_> {
         let bounded = Bounded { variable: counter.clone(), low: 0, high: count };
         self.state.control.bounded.push(bounded);
         let (first, behind) = (self.new_name(), self.new_name());
-        self.state.control.label = Some(first.clone());
+        self.set_label(first.clone());
         if form == Form::While {
             let asked = compare(Operator::Ge, &counter, count);
             self.statement(Statement::If(asked, behind.clone()), Vec::new());
@@ -101,7 +101,7 @@ impl Builder<'_, '_, '_> {
             items.push(item);
         }
         let name = self.new_name();
-        self.state.control.label = Some(name.clone());
+        self.set_label(name.clone());
         self.state.mode = mode;
         for axis in [Axis::X, Axis::Z] {
             let end = self.state.program(axis) + count * travels[axis as usize];
@@ -125,7 +125,7 @@ impl Builder<'_, '_, '_> {
     /// A loop without end.
     pub(super) fn endless(&mut self) {
         let name = self.new_name();
-        self.state.control.label = Some(name.clone());
+        self.set_label(name.clone());
         if self.choices.chance(50) {
             self.harmless_block();
         }

@@ -3,6 +3,7 @@
 use turnspec_oracle::vocabulary::Feature;
 
 use crate::builder::{Builder, Kind};
+use crate::companions::has;
 use crate::expression::{Expression, Operator, Variable};
 use crate::number::Number;
 use crate::program::{Item, Line, Statement, Value, Word};
@@ -84,6 +85,14 @@ impl Builder<'_, '_, '_> {
     /// A block of G90 that names motion code, feed, X and Z: it leads to the same state wherever it begins.
     pub(super) fn anchor(&mut self) {
         self.begin();
+        if self.state.barriers.is_watched() {
+            self.fitting(Self::anchor_block);
+        } else {
+            self.anchor_block();
+        }
+    }
+
+    fn anchor_block(&mut self) {
         let expressions = std::mem::take(&mut self.expressions);
         let linear = self.allows(Feature::Linear) && self.allows(Feature::Feed) && self.choices.chance(40);
         let mode = if linear { Mode::Linear } else { Mode::Rapid };
@@ -338,8 +347,12 @@ fn counts(line: &Line) -> bool {
     }
 }
 
-/// Whether a line has a feed word.
+/// Whether lines give a feed.
 fn gives_feed(lines: &[Line]) -> bool {
-    let has = |line: &Line| matches!(line, Line::Block(block) if crate::companions::has(&block.items, "F"));
-    lines.iter().any(has)
+    let dwells = |item: &Item| matches!(item, Item::Word(word) if word.is_g(&[4]));
+    let gives = |line: &Line| match line {
+        Line::Block(block) => has(&block.items, "F") && !block.items.iter().any(dwells),
+        Line::Raw(_) => false,
+    };
+    lines.iter().any(gives)
 }
