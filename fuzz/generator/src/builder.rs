@@ -3,10 +3,11 @@
 use turnspec_oracle::vocabulary::Feature;
 
 use crate::choices::Choices;
+use crate::control;
 use crate::faults::{self, Fault};
 use crate::print;
 use crate::profile::Profile;
-use crate::program::{Block, Item, Line, Program};
+use crate::program::{Block, Item, Line};
 use crate::state::{Mode, State};
 
 /// The characters that the expressions of one block may take together.
@@ -23,6 +24,14 @@ pub(crate) struct Builder<'b, 'c, 'd> {
     pub(crate) room: usize,
     /// What the program may need of an implementation.
     pub(crate) profile: Profile,
+    /// How often a block is one of control flow.
+    pub(crate) control: usize,
+    /// Constructions of control flow around the present place.
+    pub(crate) nesting: usize,
+    /// Blocks that the program may still get.
+    left: usize,
+    /// The fault that is to come, and after how many blocks.
+    due: Option<(usize, Fault)>,
     /// The kinds of blocks with their weights.
     kinds: Vec<(usize, Kind)>,
 }
@@ -49,6 +58,8 @@ pub(crate) enum Kind {
     Repetition,
     Idle,
     Cancel,
+    Control,
+    Barrier,
 }
 
 const KINDS: &[(usize, Kind)] = &[
@@ -70,6 +81,15 @@ const KINDS: &[(usize, Kind)] = &[
 /// How often a block begins compensation, in programs that are to have it and in others.
 const START_UPS: (usize, usize) = (40, 1);
 
+/// How often a block is one of control flow, in programs that are to have it.
+const CONTROL: usize = 44;
+
+/// How often a block goes to the edge of a barrier, in programs that are to have barriers.
+const BARRIER: usize = 24;
+
+/// The most constructions of control flow within each other.
+const NESTING: usize = 6;
+
 impl Kind {
     /// Whether a profile has something for blocks of this kind.
     pub(crate) fn is_within(self, profile: &Profile) -> bool {
@@ -88,6 +108,8 @@ impl Kind {
             Self::CAxis => any(&[Feature::CAxis]),
             Self::Auxiliary | Self::Modes | Self::Filler => true,
             Self::StartUp | Self::Idle | Self::Cancel => any(&[Feature::RadiusCompensation]),
+            Self::Control => control::is_within(profile),
+            Self::Barrier => any(&[Feature::Barrier]),
         }
     }
 }
@@ -102,10 +124,32 @@ impl<'b, 'c, 'd> Builder<'b, 'c, 'd> {
         let expressions = if profile.allows(Feature::Expression) { expressions } else { 0 };
         let (many, few) = START_UPS;
         let start_ups = if choices.chance(40) { many } else { few };
-        let kinds = KINDS.iter().copied().chain([(start_ups, Kind::StartUp)]);
+        let control = if choices.chance(50) { CONTROL } else { 0 };
+        let barrier = if state.barriers.is_wanted() { BARRIER } else { 0 };
+        let special = [(start_ups, Kind::StartUp), (control, Kind::Control), (barrier, Kind::Barrier)];
+        let kinds = KINDS.iter().copied().chain(special);
         let kinds = kinds.filter(|(_, kind)| kind.is_within(&profile)).collect();
         state.environment.restrict(&profile);
-        Self { choices, state, lines: Vec::new(), expressions, room: 0, profile, kinds }
+        Self {
+            choices,
+            state,
+            lines: Vec::new(),
+            expressions,
+            room: 0,
+            profile,
+            control,
+            nesting: 0,
+            left: 0,
+            due: None,
+            kinds,
+        }
+    }
+
+    /// The same without control flow.
+    pub(crate) fn straight_on(mut self) -> Self {
+        self.control = 0;
+        self.kinds.retain(|(_, kind)| !matches!(kind, Kind::Control));
+        self
     }
 
     /// Whether a feature is allowed.
@@ -121,19 +165,24 @@ impl<'b, 'c, 'd> Builder<'b, 'c, 'd> {
         }
         for _ in 0..attempts {
             let (state, lines) = (self.state.clone(), self.lines.len());
-            if write(self) && self.profile.permits_text(&self.text_from(lines), state.mode) {
+            let (left, due) = (self.left, self.due);
+            let (tail, programs) = self.state.control.written();
+            let written = write(self);
+            let mut texts = vec![self.text_of(self.lines.get(lines..).unwrap_or_default())];
+            texts.extend(self.state.control.texts_from(tail, programs).map(|lines| self.text_of(lines)));
+            if written && texts.iter().all(|text| self.profile.permits_text(text, state.mode)) {
                 return true;
             }
-            self.state = state;
+            (self.state, self.left, self.due) = (state, left, due);
             self.lines.truncate(lines);
         }
         false
     }
 
-    /// The plainest text of the lines from a place on.
-    fn text_from(&self, place: usize) -> Vec<u8> {
+    /// The plainest text of some lines.
+    fn text_of(&self, lines: &[Line]) -> Vec<u8> {
         let mut text = Vec::new();
-        for line in self.lines.get(place..).unwrap_or_default() {
+        for line in lines {
             // A line that begins with $ is a header at the beginning of a text only.
             text.push(b'\n');
             match line {
@@ -158,14 +207,10 @@ impl<'b, 'c, 'd> Builder<'b, 'c, 'd> {
         if !fault.is_some_and(faults::is_first) && self.allows(Feature::ProgramName) {
             self.within_profile(ATTEMPTS, Self::beginning);
         }
-        for number in 0..size {
-            if number == place && fault.is_some_and(|fault| self.try_fault(fault)) {
-                break;
-            }
-            if self.choices.is_empty() {
-                break;
-            }
-            self.within_profile(ATTEMPTS, Self::next_block);
+        self.left = size;
+        self.due = fault.map(|fault| (place, fault));
+        while self.left > 0 {
+            self.grow_block();
         }
         if self.state.compensation.has_to_go_on() && self.choices.chance(92) {
             self.within_profile(ATTEMPTS, Self::next_block);
@@ -173,6 +218,41 @@ impl<'b, 'c, 'd> Builder<'b, 'c, 'd> {
         if fault != Some(Fault::NoProgramEnd) && !self.within_profile(ATTEMPTS, Self::ending) {
             self.raw(b"M02");
         }
+    }
+
+    /// Adds the next block, or several that belong together, or the fault when its turn has come.
+    pub(crate) fn grow_block(&mut self) {
+        if self.left == 0 {
+            return;
+        }
+        self.left -= 1;
+        match &mut self.due {
+            Some((0, fault)) => {
+                let fault = *fault;
+                self.due = None;
+                if self.try_fault(fault) {
+                    self.left = 0;
+                }
+            }
+            Some((place, _)) => *place -= 1,
+            None => {}
+        }
+        if self.choices.is_empty() {
+            self.left = 0;
+        }
+        if self.left > 0 {
+            self.within_profile(ATTEMPTS, Self::next_block);
+        }
+    }
+
+    /// Lets the program end here.
+    pub(crate) fn nothing_more(&mut self) {
+        self.left = 0;
+    }
+
+    /// A block outside the count of blocks.
+    pub(crate) fn ordinary_block(&mut self) {
+        self.within_profile(ATTEMPTS, Self::next_block);
     }
 
     /// Tries to place a fault, and if the set-up does not let it happen, another one.
@@ -203,6 +283,9 @@ impl<'b, 'c, 'd> Builder<'b, 'c, 'd> {
                 name = self.choices.pick(&[b":1".as_slice(), b":PART", b":Z9"]);
             }
             let tail: &[u8] = if self.choices.chance(15) { b" (SHAFT)" } else { b"" };
+            let known = String::from_utf8_lossy(&name[1..]).into_owned();
+            self.state.control.main = Some(known.clone());
+            self.state.control.names.insert(known);
             self.raw(&[name, tail].concat());
         }
         true
@@ -218,8 +301,9 @@ impl<'b, 'c, 'd> Builder<'b, 'c, 'd> {
         items.push(Item::m(if self.choices.chance(30) { 30 } else { 2 }));
         self.push(items);
         if self.choices.chance(10) {
-            let list: [&[u8]; 4] = [b"%", b"G00 X1", b"O2", b"REMNANT )"];
-            let text = self.choices.pick(&list);
+            let list: [&[u8]; 4] = [b"%", b"G00 X1", b"REMNANT )", b"O2"];
+            let behind = if self.state.control.has_tail() { 3 } else { list.len() };
+            let text = self.choices.pick(&list[..behind]);
             self.raw(text);
         }
         true
@@ -227,19 +311,35 @@ impl<'b, 'c, 'd> Builder<'b, 'c, 'd> {
 
     fn next_block(&mut self) -> bool {
         self.begin();
-        if self.state.compensation.is_on() {
-            let kind = self.compensated_kind();
+        if self.state.barriers.is_watched() {
+            self.clear_of_barriers();
+        }
+        let compensated = self.state.compensation.is_on();
+        let kind = if compensated { self.compensated_kind() } else { self.free_kind() };
+        let may_not_fit = compensated || self.state.barriers.is_watched();
+        // Blocks of control flow fit one by one.
+        if may_not_fit && !matches!(kind, Kind::Control) {
             self.fitting(|builder| builder.block_of(kind));
         } else {
-            let Self { choices, kinds, .. } = self;
-            let kind = choices.weighted(kinds);
             self.block_of(kind);
         }
         true
     }
 
+    /// The kind of the next block without compensation.
+    fn free_kind(&mut self) -> Kind {
+        for _ in 0..ATTEMPTS {
+            let Self { choices, kinds, .. } = &mut *self;
+            let kind = choices.weighted(kinds);
+            if self.permits_kind(kind) {
+                return kind;
+            }
+        }
+        Kind::Auxiliary
+    }
+
     /// Adds a block of a kind, or several that belong together.
-    fn block_of(&mut self, kind: Kind) {
+    pub(crate) fn block_of(&mut self, kind: Kind) {
         match kind {
             Kind::Rapid => self.line(Mode::Rapid),
             Kind::Linear => self.line(Mode::Linear),
@@ -260,6 +360,13 @@ impl<'b, 'c, 'd> Builder<'b, 'c, 'd> {
             Kind::Repetition => self.repetition(),
             Kind::Idle => self.idle(),
             Kind::Cancel => self.cancel(),
+            Kind::Control if self.nesting < NESTING => {
+                self.nesting += 1;
+                self.control();
+                self.nesting -= 1;
+            }
+            Kind::Control => self.auxiliary(),
+            Kind::Barrier => self.barrier(),
         }
     }
 
@@ -283,15 +390,27 @@ impl<'b, 'c, 'd> Builder<'b, 'c, 'd> {
         if !assigns && self.choices.chance(15) {
             self.choices.shuffle(&mut items);
         }
-        let named = self.choices.chance(15) && self.allows(Feature::SequenceName);
-        let sequence = named.then(|| self.sequence_name()).flatten();
-        let delete = !self.state.setup.switches.block_delete
-            && self.choices.chance(3)
-            && self.allows(Feature::BlockDelete);
-        self.lines.push(Line::Block(Block { delete, sequence, items }));
+        let sequence = self.next_name();
+        let delete = self.deletable();
+        self.lines.push(Line::Block(Block { delete, sequence, items: items.clone(), ..Block::default() }));
+        self.trigger(&items);
         if self.state.setup.switches.block_delete && self.choices.chance(10) {
             self.skipped();
         }
+    }
+
+    /// The name that the next block has to get, or one now and then.
+    pub(crate) fn next_name(&mut self) -> Option<String> {
+        if let Some(name) = self.state.control.take_label() {
+            return Some(name);
+        }
+        let named = self.choices.chance(15) && self.allows(Feature::SequenceName);
+        named.then(|| self.sequence_name()).flatten()
+    }
+
+    /// Whether the next block carries a mark of block delete that does not act.
+    pub(crate) fn deletable(&mut self) -> bool {
+        !self.state.setup.switches.block_delete && self.choices.chance(3) && self.allows(Feature::BlockDelete)
     }
 
     /// Adds a line as it stands.
@@ -319,7 +438,8 @@ impl<'b, 'c, 'd> Builder<'b, 'c, 'd> {
         let named = self.choices.chance(30) && self.allows(Feature::SequenceName);
         if let Some(name) = named.then(|| self.sequence_name()).flatten() {
             let items = vec![Item::g(0), Item::whole("X", 5)];
-            self.lines.push(Line::Block(Block { delete: true, sequence: Some(name), items }));
+            let block = Block { delete: true, sequence: Some(name), items, ..Block::default() };
+            self.lines.push(Line::Block(block));
             return;
         }
         let list: [&[u8]; 6] =
@@ -340,10 +460,5 @@ impl<'b, 'c, 'd> Builder<'b, 'c, 'd> {
                 self.lines.push(Line::Block(Block { sequence, ..Block::default() }));
             }
         }
-    }
-
-    /// The program, and the state with the torque stops that it needs.
-    pub(crate) fn finish(self) -> (Program, State) {
-        (Program { lines: self.lines }, self.state)
     }
 }

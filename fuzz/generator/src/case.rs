@@ -14,6 +14,9 @@ use crate::{setup, tape};
 /// How many bytes a seed is stretched to: enough for a program of the greatest size.
 const STRETCHED: usize = 16 * 1024;
 
+/// How many steps a program of raw bytes may take.
+const RAW_STEPS: u64 = 3_000;
+
 /// A program and the set-up that it runs on.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Case {
@@ -28,18 +31,15 @@ impl Case {
     pub const SETUP_BYTES: usize = 32;
 
     /// A case from raw bytes: the first ones choose the set-up (zeros, or none, a plain one), the rest is the
-    /// program as it stands.
+    /// program as it stands, with a limit of its steps.
     #[must_use]
     pub fn from_raw(bytes: &[u8]) -> Self {
         let (choice, program) = bytes.split_at(bytes.len().min(Self::SETUP_BYTES));
         let mut setup = setup::setup(&mut Choices::new(&mut Unstructured::new(choice)), &Profile::FULL);
-        setup.limits.steps = setup.limits.steps.min(RAW_STEPS);
+        setup.limits.steps = RAW_STEPS;
         Self { setup, program: program.to_vec() }
     }
 }
-
-/// How many blocks a run of arbitrary bytes may begin: they may hold an endless loop.
-const RAW_STEPS: u64 = 2000;
 
 impl<'a> Arbitrary<'a> for Case {
     fn arbitrary(bytes: &mut Unstructured<'a>) -> Result<Self> {
@@ -80,9 +80,10 @@ fn case(choices: &mut Choices<'_, '_>, profile: Profile) -> Case {
     let mut builder = Builder::new(choices, State::new(setup), profile);
     builder.build();
     let (program, state) = builder.finish();
-    let setup = state.setup;
+    let mut setup = state.setup;
     let style = Style::choose(choices, setup.tape.code != TapeCode::Eia, profile);
     let text = print::program(&program, style, choices);
+    setup.library = tape::library(print::library(&program, style, choices), setup.tape.code);
     let mut program = tape::encode(&text, setup.tape.code);
     if choices.chance(4) && profile.allows(Feature::Alarm) {
         corrupt(&mut program, choices);
@@ -148,7 +149,9 @@ mod tests {
     fn zeros_choose_the_default_setup() {
         let mut bytes = vec![0; Case::SETUP_BYTES];
         bytes.extend(b"M02");
-        assert_eq!(Case::from_raw(&bytes), Case { setup: Setup::default(), program: b"M02".to_vec() });
+        let mut setup = Setup::default();
+        setup.limits.steps = super::RAW_STEPS;
+        assert_eq!(Case::from_raw(&bytes), Case { setup, program: b"M02".to_vec() });
     }
 
     #[test]

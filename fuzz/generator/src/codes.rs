@@ -70,8 +70,8 @@ const M_SINGLE: &[(i64, i64)] = &[
 /// M codes that must stand alone in their block.
 pub const M_ALONE: &[i64] = &[193, 195, 196];
 
-/// M codes that are assigned and not modelled, and those of the barriers, which are not checked yet.
-pub const M_LATER: &[i64] = &[21, 25, 100, 321, 323, 325, 341, 350, 360];
+/// M codes that are assigned and not modelled.
+pub const M_LATER: &[i64] = &[100];
 
 /// M codes that are not assigned: the borders of the gaps of the table.
 pub const M_UNASSIGNED: &[i64] =
@@ -84,7 +84,7 @@ pub const G_UNSPECIFIED: &[i64] =
 /// G codes that are assigned and not modelled.
 pub const G_LATER: &[i64] = &[
     14, 31, 32, 33, 34, 35, 71, 72, 73, 74, 77, 78, 80, 81, 82, 83, 84, 85, 86, 87, 88, 101, 102, 103, 111,
-    112, 113, 132, 133, 136, 137, 138, 161, 170, 171, 178, 179, 180, 181, 182, 190, 205, 214, 312, 313,
+    112, 113, 132, 133, 136, 137, 138, 178, 179, 180, 181, 182, 190, 312, 313,
 ];
 
 /// G codes that are not assigned.
@@ -93,22 +93,8 @@ pub const G_UNASSIGNED: &[i64] = &[
     114, 200, 215, 999,
 ];
 
-/// Statements (E100L-GCODE-03).
-pub const STATEMENTS: &[&str] = &[
-    "GOTO N1",
-    "IF[V1 EQ 1] N1",
-    "CALL O1",
-    "RTS",
-    "MODIN O1",
-    "MODOUT",
-    "READ 1",
-    "WRITE 1",
-    "GET",
-    "PUT",
-    "PSELECT",
-    "VSET V1=1",
-    "END",
-];
+/// Statements that are not modelled (E100L-GCODE-03).
+pub const STATEMENTS: &[&str] = &["READ 1", "WRITE 1", "GET", "PUT", "PSELECT", "VSET V1=1", "END"];
 
 /// An M code without group; `place` counts through all of them.
 #[must_use]

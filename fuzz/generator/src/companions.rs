@@ -22,7 +22,8 @@ impl Builder<'_, '_, '_> {
             items.push(self.spindle_speed());
         }
         self.extended_speeds(items, 4);
-        if self.choices.chance(6) && !has(items, "T") && self.allows(Feature::Tool) {
+        let steady = self.state.control.steady;
+        if self.choices.chance(6) && !has(items, "T") && self.allows(Feature::Tool) && !steady {
             items.push(self.tool_word());
         }
         if self.choices.chance(25) {
@@ -47,7 +48,7 @@ impl Builder<'_, '_, '_> {
             items.push(self.spindle_speed());
         }
         self.extended_speeds(&mut items, 15);
-        if self.choices.chance(30) && self.allows(Feature::Tool) {
+        if self.choices.chance(30) && self.allows(Feature::Tool) && !self.state.control.steady {
             items.push(self.tool_word());
         }
         if items.is_empty() || self.choices.chance(60) {
@@ -76,7 +77,8 @@ impl Builder<'_, '_, '_> {
                 items.push(self.feed_word());
             }
         }
-        if self.choices.chance(percent / 2) && self.allows(Feature::CuttingSpeed) {
+        let speeds = self.allows(Feature::CuttingSpeed) && !self.state.control.steady;
+        if self.choices.chance(percent / 2) && speeds {
             self.state.cutting_speed = self.choices.chance(60);
             items.push(Item::g(if self.state.cutting_speed { 96 } else { 97 }));
             items.push(self.spindle_speed());
@@ -184,7 +186,7 @@ impl Builder<'_, '_, '_> {
                     self.choices.pick(possible[group])
                 }
                 1 => codes::single_m(self.choices.below(400)),
-                _ if std::mem::replace(&mut special, true) => continue,
+                _ if self.state.control.steady || std::mem::replace(&mut special, true) => continue,
                 _ => self.special_m(),
             };
             let unsafe_index = code == 203 && !self.state.setup.inputs.turret_clamp_confirmed;
@@ -225,6 +227,7 @@ impl Builder<'_, '_, '_> {
 
     /// Changes the state as an M code does.
     fn note_m(&mut self, code: i64) {
+        self.state.barriers.note_m(code);
         match code {
             109 => (self.state.joined, self.state.plane) = (false, 18),
             110 => self.state.joined = true,

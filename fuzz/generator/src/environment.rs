@@ -1,6 +1,6 @@
 //! What an expression can read: common and system variables at the beginning of a block.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use turnspec_oracle::vocabulary::{Feature, UnitSystem};
 
@@ -15,6 +15,12 @@ use crate::unit::{Estimate, Units};
 pub struct Environment {
     /// Common variables that are not zero.
     pub common: BTreeMap<u8, f64>,
+    /// Common variables whose value is not known.
+    pub unknown: BTreeSet<u8>,
+    /// Local variables whose value is known.
+    pub local: BTreeMap<&'static str, f64>,
+    /// Whether nothing is known that may be another thing when the block is carried out again.
+    pub shared: bool,
     /// System variables without suffix.
     pub system: Vec<(&'static str, Estimate)>,
     /// Tool offsets in nanometres, X and Z.
@@ -43,6 +49,9 @@ impl Environment {
         };
         Self {
             common: BTreeMap::new(),
+            unknown: BTreeSet::new(),
+            local: BTreeMap::new(),
+            shared: false,
             system: Vec::new(),
             tool_offsets: BTreeMap::new(),
             offset_sets,
@@ -88,6 +97,9 @@ impl Environment {
     #[must_use]
     pub fn value(&self, variable: &Variable) -> Option<Estimate> {
         match variable {
+            Variable::Common(_) | Variable::Indexed(..) if self.shared => None,
+            Variable::Common(number) if self.unknown.contains(number) => None,
+            Variable::Local(name) => self.local.get(name).copied().map(Estimate::Real),
             Variable::Common(number) => {
                 Some(Estimate::Real(self.common.get(number).copied().unwrap_or_default()))
             }
@@ -114,6 +126,12 @@ impl Environment {
             return Variable::Common(choices.within(1, 200) as u8);
         }
         Variable::Common(choices.pick(&known))
+    }
+
+    /// A local variable whose value is known; a common one when there is none.
+    pub fn some_local(&self, choices: &mut Choices<'_, '_>) -> Variable {
+        let known: Vec<&str> = self.local.keys().copied().collect();
+        if known.is_empty() { self.some_common(choices) } else { Variable::Local(choices.pick(&known)) }
     }
 
     /// A system variable whose value is known.

@@ -32,6 +32,8 @@ pub enum Variable {
     Common(u8),
     /// A system variable.
     System(&'static str),
+    /// A local variable.
+    Local(&'static str),
     /// A system variable with a suffix.
     Indexed(&'static str, Box<Expression>),
 }
@@ -200,7 +202,8 @@ impl Expression {
         let weight = |weight, feature| if environment.allows(feature) { weight } else { 0 };
         let variables = weight(20, Feature::Variable);
         let system = weight(15, Feature::SystemVariable);
-        match choices.weighted(&[(35, 0), (25, 1), (5, 2), (variables, 3), (system, 4)]) {
+        let local = if environment.local.is_empty() { 0 } else { weight(20, Feature::LocalVariable) };
+        match choices.weighted(&[(35, 0), (25, 1), (5, 2), (variables, 3), (system, 4), (local, 5)]) {
             0 => Self::Constant(Number::whole(choices.within(0, 360))),
             1 => {
                 let decimals = choices.within(1, 4) as u8;
@@ -209,6 +212,7 @@ impl Expression {
             }
             2 => Self::Hex(choices.pick(&[0x25, 0x10, 0xFF, 0x1234, 0, 0x99, 0xFFFF_FFFF, 0x7FFF_FFFF])),
             3 => Self::Variable(environment.some_common(choices)),
+            5 => Self::Variable(environment.some_local(choices)),
             _ => Self::Variable(environment.some_system(choices)),
         }
     }

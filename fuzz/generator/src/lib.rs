@@ -12,6 +12,7 @@
 //! ```
 
 mod arcs;
+mod barriers;
 mod bench;
 mod builder;
 mod case;
@@ -20,6 +21,7 @@ mod choices;
 mod codes;
 mod companions;
 mod compensation;
+mod control;
 mod environment;
 mod estimate;
 mod expression;
@@ -33,6 +35,7 @@ mod number;
 mod oneshot;
 mod print;
 mod print_expression;
+mod print_statement;
 mod profile;
 mod program;
 mod respelled;
@@ -52,7 +55,7 @@ pub use formulas::Formulas;
 pub use nudged::Nudged;
 pub use number::Number;
 pub use profile::Profile;
-pub use program::{Block, Item, Line, Program, Value, Word};
+pub use program::{Block, Condition, Item, Line, Program, Statement, Value, Word};
 pub use respelled::{Remarked, Respelled};
 pub use shrink::shrink;
 pub use tape::{decode, encode};

@@ -43,15 +43,19 @@ impl Builder<'_, '_, '_> {
 
     /// Whether M203 in a block of this mode finds the turret clamped (E100L-TUNC-02).
     fn may_index(&self, mode: Mode) -> bool {
-        mode == Mode::Rapid && (self.state.setup.inputs.turret_clamp_confirmed || !self.state.after_cutting)
+        let once = !self.state.control.steady;
+        mode == Mode::Rapid
+            && once
+            && (self.state.setup.inputs.turret_clamp_confirmed || !self.state.after_cutting)
     }
 
     /// The coordinate words of a line; moves the state.
     pub(crate) fn line_words(&mut self, items: &mut Vec<Item>) {
         let may_turn = self.state.joined && !self.state.clamped;
         let (mut x, mut z) = (self.choices.chance(70), self.choices.chance(70));
-        let c = may_turn && self.choices.chance(50);
-        let w = self.state.setup.options.w_axis && self.choices.chance(25);
+        let steady = self.state.control.steady;
+        let c = may_turn && !steady && self.choices.chance(50);
+        let w = self.state.setup.options.w_axis && !steady && self.choices.chance(25);
         if !(x || z || c || w) {
             (x, z) = (true, self.choices.chance(50));
         }
@@ -70,6 +74,7 @@ impl Builder<'_, '_, '_> {
         let mut wanted = self.state.somewhere(axis, self.choices);
         if let Some(limit) = self.state.limits[axis as usize].positive
             && !self.state.compensation.is_on()
+            && !self.state.control.steady
             && self.choices.chance(5)
         {
             let beyond = if self.choices.chance(30) { 0 } else { self.choices.within(0, 50_000) * 1_000 };

@@ -28,7 +28,9 @@ pub(crate) fn of_m_code(code: i64) -> &'static [Feature] {
         15 | 16 | 109 | 110 | 146 | 147 => &[Feature::CAxis],
         40..=44 => &[Feature::Gear, Feature::Spindle],
         124 | 125 => &[Feature::TimeOver],
+        21 | 25 => &[Feature::Aux, Feature::Barrier],
         203 => &[Feature::Turret],
+        321..=325 | 341..=360 => &[Feature::MacroCode, Feature::Subprogram],
         _ => &[Feature::Aux],
     }
 }
@@ -51,6 +53,8 @@ pub(crate) fn of_g_code(code: i64) -> &'static [Feature] {
         91 => &[Feature::Incremental],
         94 | 95 => &[Feature::Feed],
         96 | 97 => &[Feature::CuttingSpeed],
+        161..=170 => &[Feature::MacroCode, Feature::ModalCall],
+        171 | 205..=214 => &[Feature::MacroCode, Feature::Subprogram],
         _ => &[Feature::Alarm],
     }
 }
@@ -88,7 +92,14 @@ pub(crate) fn of_setup(setup: &Setup) -> Features {
         (c_start || c_zero, Feature::CAxis),
         (setup.zero_offset != plain.zero_offset, Feature::ZeroShift),
         (setup.tool_offset != plain.tool_offset || setup.nose_radius != plain.nose_radius, Feature::Tool),
-        (*limits != plain.limits, Feature::Limits),
+        ([limits.x, limits.z, limits.w] != [plain.limits.x, plain.limits.z, plain.limits.w], Feature::Limits),
+        (limits.steps != plain.limits.steps, Feature::ControlStatement),
+        (setup.barriers != plain.barriers, Feature::Barrier),
+        (!setup.macros.is_empty(), Feature::MacroCode),
+        (
+            !setup.library.is_empty() || setup.parameters.call_depth != plain.parameters.call_depth,
+            Feature::Subprogram,
+        ),
         (setup.spindle != plain.spindle, Feature::Gear),
         (setup.stm != plain.stm, Feature::TimeOver),
         (!setup.inputs.torque_stops.is_empty(), Feature::Torque),

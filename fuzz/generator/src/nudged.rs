@@ -12,6 +12,7 @@ use crate::profile::Profile;
 use crate::program::{Item, Line, Program, Value};
 use crate::setup;
 use crate::state::{Axis, State};
+use crate::tape;
 
 /// A program, and the same one with one increment more in one X, Z or W word that is a plain number.
 #[derive(Clone, PartialEq, Debug)]
@@ -33,10 +34,14 @@ impl Nudged {
         let choices = &mut Choices::new(&mut bytes);
         let mut setup = setup::setup(choices, &Profile::FULL);
         setup.tape.code = TapeCode::Ascii;
-        let mut builder = Builder::new(choices, State::new(setup), Profile::FULL);
+        let mut builder = Builder::new(choices, State::new(setup), Profile::FULL).straight_on();
         builder.build();
         let (mut program, state) = builder.finish();
-        let case = |program: &Program| Case { setup: state.setup.clone(), program: print::plainest(program) };
+        let case = |program: &Program| {
+            let mut setup = state.setup.clone();
+            setup.library = tape::library(print::plainest_library(program), TapeCode::Ascii);
+            Case { setup, program: print::plainest(program) }
+        };
         let before = case(&program);
         let mut words = coordinates(&mut program);
         let chosen = choices.below(words.len());

@@ -7,7 +7,7 @@ use crate::choices::Choices;
 use crate::number::Number;
 use crate::print_expression::{self, variable};
 use crate::profile::Profile;
-use crate::program::{Block, Item, Line, Program, Value, Word};
+use crate::program::{Block, Item, Line, Program, Statement, Value, Word};
 
 /// The longest block, in characters (E100L-FMT-05).
 pub const LONGEST: usize = 158;
@@ -44,10 +44,20 @@ impl Style {
     }
 }
 
+/// The texts of the library of a program in seven-bit characters.
+pub fn library(program: &Program, style: Style, choices: &mut Choices<'_, '_>) -> Vec<(String, Vec<u8>)> {
+    let texts = program.library.iter();
+    texts.map(|(name, program)| (name.clone(), lines(program, style, choices))).collect()
+}
+
 /// The text of a program in seven-bit characters.
 pub fn program(program: &Program, style: Style, choices: &mut Choices<'_, '_>) -> Vec<u8> {
+    lines(&program.lines, style, choices)
+}
+
+fn lines(lines: &[Line], style: Style, choices: &mut Choices<'_, '_>) -> Vec<u8> {
     let mut text = Vec::new();
-    for line in &program.lines {
+    for line in lines {
         match line {
             Line::Raw(bytes) => text.extend_from_slice(bytes),
             Line::Block(block) => text.extend_from_slice(block_text(block, style, choices).as_bytes()),
@@ -67,6 +77,12 @@ pub fn program(program: &Program, style: Style, choices: &mut Choices<'_, '_>) -
 #[must_use]
 pub fn plainest(lines: &Program) -> Vec<u8> {
     program(lines, Style::PLAIN, &mut Choices::new(&mut arbitrary::Unstructured::new(&[])))
+}
+
+/// The plainest texts of its library.
+#[must_use]
+pub fn plainest_library(program: &Program) -> Vec<(String, Vec<u8>)> {
+    library(program, Style::PLAIN, &mut Choices::new(&mut arbitrary::Unstructured::new(&[])))
 }
 
 /// The plainest text of a block, without end of block.
@@ -109,7 +125,14 @@ impl Printer<'_, '_, '_> {
             text.push_str(name);
             if block.delete && !slash_first {
                 text.push('/');
-            } else if !block.items.is_empty() || self.vary() {
+            } else if !block.items.is_empty() || block.statement.is_some() || self.vary() {
+                text.push_str(self.separator());
+            }
+        }
+        if let Some(statement) = &block.statement {
+            text.push_str(&self.statement(statement));
+            let loose = matches!(statement, Statement::Macro(..));
+            if !block.items.is_empty() && !(loose && self.choices.chance(self.style.glue)) {
                 text.push_str(self.separator());
             }
         }
@@ -129,7 +152,7 @@ impl Printer<'_, '_, '_> {
     }
 
     /// One of the texts that the profile allows, a blank if there is none.
-    fn spelling(&mut self, list: &[&'static str]) -> &'static str {
+    pub(crate) fn spelling(&mut self, list: &[&'static str]) -> &'static str {
         let profile = self.style.profile;
         let allowed = |text: &&&str| {
             let plain = text.chars().all(|character| matches!(character, ' '..='~' | '\n'));
@@ -153,7 +176,7 @@ impl Printer<'_, '_, '_> {
         if !needs_blank && self.choices.chance(self.style.glue) { String::new() } else { " ".to_owned() }
     }
 
-    fn separator(&mut self) -> &'static str {
+    pub(crate) fn separator(&mut self) -> &'static str {
         if self.vary() { self.spelling(&["\t", "(X)", "  ", "\u{8}"]) } else { " " }
     }
 
@@ -234,9 +257,11 @@ impl Printer<'_, '_, '_> {
 /// or a hexadecimal constant.
 fn run_may_go_on(text: &str) -> bool {
     let run = text.len() - text.trim_end_matches(|character: char| character.is_ascii_alphanumeric()).len();
-    let hex = run > 0 && text[..text.len() - run].ends_with('$');
+    let (before, run_text) = text.split_at(text.len() - run);
+    let hex = run > 0 && before.ends_with('$');
+    let letters = run_text.chars().take_while(char::is_ascii_alphabetic).count();
     let common = text.trim_end_matches(|character: char| character.is_ascii_digit()).ends_with('V');
-    hex || common || text.ends_with(|character: char| character.is_ascii_alphabetic())
+    hex || common || letters > 1 || text.ends_with(|character: char| character.is_ascii_alphabetic())
 }
 
 #[cfg(test)]
@@ -245,7 +270,7 @@ mod tests {
 
     #[test]
     fn a_blank_stands_where_names_would_run_together() {
-        for text in ["CALRG", "K5CALRG", "X=V5", "X=VPAI", "X=$12", "V5=V007"] {
+        for text in ["CALRG", "K5CALRG", "X=V5", "X=VPAI", "X=$12", "V5=V007", "X=DIA1"] {
             assert!(run_may_go_on(text), "{text}");
         }
         for text in ["G01", "X-5.3", "X=SIN[30]", "X=5+3", "SB=300", ""] {

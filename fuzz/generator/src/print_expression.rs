@@ -29,7 +29,7 @@ pub(crate) fn variable(printer: &mut Printer<'_, '_, '_>, variable: &Variable) -
     match variable {
         Variable::Common(number) if printer.vary() => format!("V{number:03}"),
         Variable::Common(number) => format!("V{number}"),
-        Variable::System(name) => (*name).to_owned(),
+        Variable::System(name) | Variable::Local(name) => (*name).to_owned(),
         Variable::Indexed(name, suffix) => {
             let blank = if printer.vary() { " " } else { "" };
             format!("{name}{blank}[{}]", text(printer, suffix))

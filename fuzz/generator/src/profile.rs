@@ -25,6 +25,8 @@ use crate::tape;
 /// | nose radius entries of the set-up | `tool` |
 /// | zero offset of the set-up | `zero-shift` |
 /// | lowest and highest speed of the spindle | `gear` |
+/// | `NOEX`, the limit of the steps of a run | `control-statement` |
+/// | name blocks of programs that are called | `program-name` |
 ///
 /// M02 and M30 are always there. Readings other than the default ones occur with every feature allowed, or on
 /// request.
@@ -76,8 +78,11 @@ impl Profile {
     /// one.
     #[must_use]
     pub fn permits(&self, case: &Case) -> bool {
-        let text = tape::decode(&case.program, case.setup.tape.code);
-        self.permits_setup(&case.setup) && self.permits_text(&text, Mode::Rapid)
+        let permits =
+            |program: &[u8]| self.permits_text(&tape::decode(program, case.setup.tape.code), Mode::Rapid);
+        self.permits_setup(&case.setup)
+            && permits(&case.program)
+            && case.setup.library.values().all(|text| permits(&text.0))
     }
 
     /// Whether corners must be cut in the basic form: an any-angle corner looks ahead to its next line.

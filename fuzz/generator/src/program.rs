@@ -8,6 +8,8 @@ use crate::number::Number;
 pub struct Program {
     /// Its lines, in order. A block is one line here; the printer may break it.
     pub lines: Vec<Line>,
+    /// Files with programs that can be called: name and lines.
+    pub library: Vec<(String, Vec<Line>)>,
 }
 
 /// A line of the text, or several that make one block.
@@ -26,8 +28,51 @@ pub struct Block {
     pub delete: bool,
     /// Its sequence name, without the `N`.
     pub sequence: Option<String>,
+    /// The statement that it begins with; assignments may follow one that calls, and `NOEX`.
+    pub statement: Option<Statement>,
     /// Its items in written order.
     pub items: Vec<Item>,
+}
+
+/// A control statement.
+#[derive(Clone, PartialEq, Debug)]
+pub enum Statement {
+    /// `GOTO` with a sequence name, without the `N`.
+    Goto(String),
+    /// `IF` with a sequence name, `GOTO` written before it or not.
+    If(Condition, String),
+    /// `CALL` with a program name, without the `O`.
+    Call(String),
+    /// `MODIN` likewise.
+    Modin(String),
+    /// `RTS`
+    Rts,
+    /// `MODOUT`
+    Modout,
+    /// `NOEX`
+    Noex,
+    /// A macro code.
+    Macro(char, i64),
+}
+
+/// What `IF` asks.
+#[derive(Clone, PartialEq, Debug)]
+pub enum Condition {
+    /// An expression in brackets.
+    Holds(Expression),
+    /// Whether a local variable has an entry.
+    Defined(&'static str),
+}
+
+impl Statement {
+    /// The sequence name that it looks for.
+    #[must_use]
+    pub fn target(&self) -> Option<&str> {
+        match self {
+            Self::Goto(name) | Self::If(_, name) => Some(name),
+            _ => None,
+        }
+    }
 }
 
 /// What stands in a block.

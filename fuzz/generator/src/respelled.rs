@@ -1,7 +1,9 @@
 //! Two spellings of one program: what the control does must not depend on them.
 
+use std::collections::BTreeSet;
+
 use arbitrary::{Arbitrary, Result, Unstructured};
-use turnspec_oracle::vocabulary::TapeCode;
+use turnspec_oracle::vocabulary::{Setup, TapeCode};
 
 use crate::builder::Builder;
 use crate::case::Case;
@@ -32,7 +34,7 @@ impl<'a> Arbitrary<'a> for Respelled {
         let all_characters = setup.tape.code != TapeCode::Eia;
         let spell = |program: &Program, choices: &mut Choices<'_, '_>| {
             let style = Style::choose(choices, all_characters, Profile::FULL);
-            print::program(program, style, choices)
+            (print::program(program, style, choices), print::library(program, style, choices))
         };
         let one = spell(&program, choices);
         let reordered = choices.chance(50);
@@ -40,19 +42,26 @@ impl<'a> Arbitrary<'a> for Respelled {
         let other = spell(&shuffled, choices);
         let codes = [TapeCode::Ascii, TapeCode::Iso, TapeCode::Eia];
         let code = choices.pick(&codes);
-        let fits = [&one, &other].iter().all(|text| {
-            let reads_back = |code: TapeCode| tape::decode(&tape::encode(text, code), code) == **text;
+        let texts = [&one, &other]
+            .into_iter()
+            .flat_map(|(main, library)| std::iter::once(main).chain(library.iter().map(|(_, text)| text)));
+        let fits = texts.into_iter().all(|text| {
+            let reads_back = |code: TapeCode| tape::decode(&tape::encode(text, code), code) == *text;
             !text.contains(&tape::WRONG_PARITY) && reads_back(setup.tape.code) && reads_back(code)
         });
         let mut other_setup = setup.clone();
         if fits {
             other_setup.tape.code = code;
         }
-        let program = tape::encode(&one, setup.tape.code);
-        let one = Case { setup, program };
-        let program = tape::encode(&other, other_setup.tape.code);
-        Ok(Self { one, other: Case { setup: other_setup, program }, reordered })
+        Ok(Self { one: coded(one, setup), other: coded(other, other_setup), reordered })
     }
+}
+
+/// The case of texts of a program and its library, in the tape code of a set-up.
+fn coded((main, library): (Vec<u8>, Vec<(String, Vec<u8>)>), mut setup: Setup) -> Case {
+    let program = tape::encode(&main, setup.tape.code);
+    setup.library = tape::library(library, setup.tape.code);
+    Case { setup, program }
 }
 
 /// A program with sequence names, and the same one without them but with remarks in lines of their own.
@@ -69,8 +78,7 @@ impl<'a> Arbitrary<'a> for Remarked {
         let choices = &mut Choices::new(bytes);
         let (program, state) = grown(choices);
         let plain = |program: &Program| {
-            let text = print::plainest(program);
-            Case { program: tape::encode(&text, state.setup.tape.code), setup: state.setup.clone() }
+            coded((print::plainest(program), print::plainest_library(program)), state.setup.clone())
         };
         let named = plain(&program);
         Ok(Self { named, remarked: plain(&remark(program, choices)) })
@@ -89,7 +97,8 @@ fn grown(choices: &mut Choices<'_, '_>) -> (Program, State) {
 /// do M words (they are carried out in written order); a block with an assignment stays as it is.
 fn reorder(program: &Program, choices: &mut Choices<'_, '_>) -> Program {
     let mut program = program.clone();
-    for line in &mut program.lines {
+    let library = program.library.iter_mut().flat_map(|(_, lines)| lines);
+    for line in program.lines.iter_mut().chain(library) {
         let Line::Block(block) = line else { continue };
         let fixed = |item: &Item| matches!(item, Item::Assignment(..) | Item::Raw(_));
         if !block.items.iter().any(fixed) && choices.chance(60) {
@@ -116,19 +125,48 @@ fn is_word(item: &Item, address: &str) -> bool {
 }
 
 /// Takes the sequence names away, but not those that are the whole of a block (without them it would be
-/// none), and adds remarks.
+/// none) and those that are looked for, and adds remarks.
 fn remark(program: Program, choices: &mut Choices<'_, '_>) -> Program {
+    let texts = || program.library.iter().map(|(_, lines)| lines).chain([&program.lines]);
+    let wanted: BTreeSet<String> = texts().flatten().filter_map(target).collect();
+    let raw: Vec<String> = texts().flatten().filter_map(raw_text).collect();
+    let is_wanted = |name: &String| {
+        let named = format!("N{name}");
+        wanted.contains(name) || raw.iter().any(|text| text.contains(&named))
+    };
+    let library = program.library.clone().into_iter();
+    let library = library.map(|(name, lines)| (name, remarked(lines, &is_wanted, choices))).collect();
+    Program { lines: remarked(program.lines.clone(), &is_wanted, choices), library }
+}
+
+/// The sequence name that a block looks for.
+fn target(line: &Line) -> Option<String> {
+    let Line::Block(Block { statement: Some(statement), .. }) = line else { return None };
+    statement.target().map(str::to_owned)
+}
+
+fn raw_text(line: &Line) -> Option<String> {
+    let Line::Raw(text) = line else { return None };
+    Some(String::from_utf8_lossy(text).into_owned())
+}
+
+fn remarked(
+    lines: Vec<Line>,
+    is_wanted: &impl Fn(&String) -> bool,
+    choices: &mut Choices<'_, '_>,
+) -> Vec<Line> {
     const REMARKS: [&[u8]; 5] = [b"(REMARK)", b"", b"\t (A) ", b" ", b"(( G00 X1)"];
-    let mut lines = Vec::new();
-    for line in program.lines {
+    let mut more = Vec::new();
+    for line in lines {
         let continued = matches!(&line, Line::Raw(text) if text.first() == Some(&b'$'));
-        if !continued && !lines.is_empty() && choices.chance(20) {
-            lines.push(Line::Raw(choices.pick(&REMARKS).to_vec()));
+        if !continued && !more.is_empty() && choices.chance(20) {
+            more.push(Line::Raw(choices.pick(&REMARKS).to_vec()));
         }
-        lines.push(match line {
-            Line::Block(block) if !block.items.is_empty() => Line::Block(Block { sequence: None, ..block }),
+        more.push(match line {
+            Line::Block(block) if block.items.is_empty() && block.statement.is_none() => Line::Block(block),
+            Line::Block(block) => Line::Block(Block { sequence: block.sequence.filter(is_wanted), ..block }),
             line => line,
         });
     }
-    Program { lines }
+    more
 }

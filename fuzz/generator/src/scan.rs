@@ -19,9 +19,25 @@ const EXTENDED: [(&[u8], Feature); 5] = [
 ];
 const COMPARISONS: [&[u8]; 6] = [b"LT", b"LE", b"EQ", b"NE", b"GT", b"GE"];
 const BOOLEAN: [&[u8]; 4] = [b"AND", b"OR", b"EOR", b"NOT"];
-const FUNCTIONS: [&[u8]; 15] = [
-    b"SIN", b"COS", b"TAN", b"ATAN", b"SQRT", b"ABS", b"BIN", b"BCD", b"ROUND", b"FIX", b"FUP", b"DROUND",
-    b"DFIX", b"DFUP", b"MOD",
+const FUNCTIONS: [&[u8]; 16] = [
+    b"SIN", b"COS", b"TAN", b"ATAN", b"ATAN2", b"SQRT", b"ABS", b"BIN", b"BCD", b"ROUND", b"FIX", b"FUP",
+    b"DROUND", b"DFIX", b"DFUP", b"MOD",
+];
+
+/// Statements, with what else they need where they name a block or a program.
+const STATEMENTS: [(&[u8], Feature); 7] = [
+    (b"GOTO", Feature::ControlStatement),
+    (b"IF", Feature::ControlStatement),
+    (b"NOEX", Feature::ControlStatement),
+    (b"CALL", Feature::Subprogram),
+    (b"RTS", Feature::Subprogram),
+    (b"MODIN", Feature::ModalCall),
+    (b"MODOUT", Feature::ModalCall),
+];
+/// Statements and addresses that are not modelled.
+const LATER: [&[u8]; 29] = [
+    b"READ", b"GET", b"PUT", b"END", b"AA", b"AB", b"BC", b"DA", b"DB", b"FA", b"FB", b"IA", b"IB", b"KA",
+    b"KB", b"LA", b"LB", b"RA", b"RB", b"TA", b"TB", b"UA", b"UB", b"WA", b"WB", b"XA", b"XB", b"ZA", b"ZB",
 ];
 
 /// What a text needs that begins in a motion mode.
@@ -42,6 +58,7 @@ pub(crate) fn needs_of(text: &[u8], mode: Mode) -> Features {
 #[derive(Default)]
 struct Words {
     begun: bool,
+    statement: bool,
     equal: bool,
     dwell: bool,
     shift: bool,
@@ -49,6 +66,12 @@ struct Words {
     one_shot: bool,
     feed: bool,
     axis: bool,
+}
+
+/// Whether a run of letters and digits can name a local variable.
+fn is_local(run: &[u8]) -> bool {
+    let first = run.first().copied().unwrap_or_default();
+    run.len() <= 4 && !matches!(first, b'N' | b'O' | b'V') && !LATER.contains(&run)
 }
 
 struct Scan<'t> {
@@ -84,7 +107,7 @@ impl Scan<'_> {
             b'!'..=b'~' => self.needs.add(&[Feature::Alarm]),
             _ => self.needs.add(&[Feature::TapeCode, Feature::Alarm]),
         }
-        self.block.equal |= byte == b'=';
+        self.block.equal |= matches!(byte, b'=' | b'[');
     }
 
     /// Whether what stands before the character just read can end an operand.
@@ -140,13 +163,22 @@ impl Scan<'_> {
     fn letters(&mut self) {
         let first = !std::mem::replace(&mut self.block.begun, true);
         let start = self.at;
-        if first && matches!(self.peek(), b'N' | b'O') {
+        if first && self.rest().starts_with(b"NOEX") {
+            self.at += 4;
+            return self.keyword(b"NOEX");
+        }
+        let named = matches!(self.peek(), b'N' | b'O') && !self.is_not();
+        if (first || self.block.statement) && named {
             let name = if self.peek() == b'N' { Feature::SequenceName } else { Feature::ProgramName };
             self.needs.add(&[name]);
             self.pass(|byte| byte.is_ascii_alphanumeric());
             return;
         }
         self.pass(|byte| byte.is_ascii_uppercase());
+        // A name goes on with digits; a variable is told by its letters, and an address by its letter.
+        if self.at > start + 1 && self.text.get(start) != Some(&b'V') {
+            self.pass(|byte| byte.is_ascii_alphanumeric());
+        }
         let text = self.text;
         let run = text.get(start..self.at).unwrap_or_default();
         match run {
@@ -171,6 +203,12 @@ impl Scan<'_> {
             self.needs.add(&[Feature::Expression, Feature::Boolean]);
         } else if FUNCTIONS.contains(&run) {
             self.needs.add(&[Feature::Expression, Feature::Function]);
+        } else if let Some((_, feature)) = STATEMENTS.iter().find(|(keyword, _)| *keyword == run) {
+            self.needs.add(&[*feature]);
+            self.block.statement = true;
+        } else if is_local(run) {
+            self.needs.add(&[Feature::LocalVariable]);
+            self.block.equal = true;
         } else {
             self.needs.add(&[Feature::Alarm]);
         }
@@ -183,6 +221,17 @@ impl Scan<'_> {
             self.at += 1;
             self.block.equal = true;
         }
+    }
+
+    /// Whether the operator NOT stands here.
+    fn is_not(&self) -> bool {
+        let behind = self.rest().strip_prefix(b"NOT").map(|rest| rest.first().copied().unwrap_or_default());
+        behind.is_some_and(|byte| !byte.is_ascii_alphanumeric())
+    }
+
+    /// The text from here on.
+    fn rest(&self) -> &[u8] {
+        self.text.get(self.at..).unwrap_or_default()
     }
 
     fn pass(&mut self, belongs: impl Fn(u8) -> bool) {

@@ -6,6 +6,7 @@ use turnspec_oracle::vocabulary::{
     SpeedClamp, TapeCode, ToolOffset, ToolOffsetSign, UnitSystem, UserAlarmC,
 };
 
+use crate::barriers::barriers;
 use crate::choices::Choices;
 use crate::compensation::nose_radii;
 use crate::profile::Profile;
@@ -37,6 +38,9 @@ fn unusual(setup: &mut Setup, choices: &mut Choices<'_, '_>, profile: &Profile) 
     amounts(setup, choices, profile);
     limits(setup, choices, profile);
     spindle(setup, choices, profile);
+    if choices.chance(16) && allows(Feature::Barrier) {
+        setup.barriers = barriers(choices);
+    }
     setup.readings = if profile.allows_readings() { readings(choices) } else { Readings::default() };
     setup.switches.block_delete = choices.chance(25) && allows(Feature::BlockDelete);
     setup.switches.optional_stop = choices.chance(40) && allows(Feature::OptionalStop);
@@ -59,6 +63,7 @@ pub fn is_over_time(setup: &Setup) -> bool {
 }
 
 fn parameters(setup: &mut Setup, choices: &mut Choices<'_, '_>, profile: &Profile) {
+    let allows = |feature| profile.allows(feature);
     let parameters = &mut setup.parameters;
     parameters.circular_radius_tolerance =
         Length(choices.pick(&[20_000, 20_000, 5_000, 1_000, 0, 1_000_000]));
@@ -68,11 +73,15 @@ fn parameters(setup: &mut Setup, choices: &mut Choices<'_, '_>, profile: &Profil
         parameters.torque_limit_upper = choices.pick(&[100, 80, 50, 1]);
         parameters.torque_monitor_delay = choices.pick(&[0, 0, 0, 1, 10, 9_999]);
     }
+    if profile.allows(Feature::Subprogram) {
+        parameters.call_depth = choices.pick(&[8, 8, 8, 8, 1, 2, 3, 126]);
+    }
     let options = &mut setup.options;
     options.nose_radius_compensation = !(choices.chance(10) && profile.allows(Feature::Tool));
     options.offset_sets = choices.pick(&[32, 64, 96]);
     options.w_axis = choices.chance(35) && profile.allows(Feature::WAxis);
-    let tasks = profile.allows(Feature::Boolean) || profile.allows(Feature::Function);
+    let level_2 = [Feature::Boolean, Feature::Function, Feature::Subprogram];
+    let tasks = level_2.into_iter().any(allows);
     options.user_task = if choices.chance(12) && tasks { 1 } else { 2 };
 }
 

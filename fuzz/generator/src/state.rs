@@ -7,8 +7,10 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use turnspec_oracle::vocabulary::{Length, Limit, Setup, TapeCode, ToolOffsetSign};
 
+use crate::barriers::Areas;
 use crate::choices::Choices;
 use crate::compensation::Compensation;
+use crate::control::Control;
 use crate::environment::Environment;
 use crate::unit::{Estimate, Units};
 
@@ -99,6 +101,10 @@ pub struct State {
     pub names: BTreeSet<String>,
     /// Common variables.
     pub common: BTreeMap<u8, f64>,
+    /// Loops, local variables, programs that are called.
+    pub control: Control,
+    /// Chuck and tailstock barriers.
+    pub barriers: Areas,
     /// What expressions of the present block read.
     pub environment: Environment,
 }
@@ -137,6 +143,8 @@ impl State {
             after_cutting: false,
             names: BTreeSet::new(),
             common: setup.variables.iter().filter_map(variable).collect(),
+            control: Control::default(),
+            barriers: Areas::new(&setup),
             environment: Environment::new(units, setup.options.offset_sets, setup.options.user_task == 2),
             setup,
         };
@@ -257,5 +265,7 @@ impl State {
         ];
         self.environment.common.clone_from(&self.common);
         self.environment.tool_offsets.clone_from(&self.tool_offsets);
+        self.control.show(&mut self.environment);
+        self.barriers.begin_block();
     }
 }

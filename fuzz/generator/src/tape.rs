@@ -1,7 +1,9 @@
 //! From seven-bit characters to the codes of the tape (E100L-TAPE-01): plain, ISO with even parity, EIA
 //! (RS-244) with odd parity.
 
-use turnspec_oracle::vocabulary::TapeCode;
+use std::collections::BTreeMap;
+
+use turnspec_oracle::vocabulary::{ProgramText, TapeCode};
 
 /// Stands in a text for a byte of wrong parity.
 pub const WRONG_PARITY: u8 = 0xFF;
@@ -32,6 +34,12 @@ pub fn encode(text: &[u8], code: TapeCode) -> Vec<u8> {
         TapeCode::Iso => text.iter().map(|byte| iso(*byte)).collect(),
         TapeCode::Eia => text.iter().filter(|byte| **byte != b'\r').map(|byte| eia(*byte)).collect(),
     }
+}
+
+/// The library of a set-up, from texts.
+#[must_use]
+pub fn library(texts: Vec<(String, Vec<u8>)>, code: TapeCode) -> BTreeMap<String, ProgramText> {
+    texts.into_iter().map(|(name, text)| (name, ProgramText(encode(&text, code)))).collect()
 }
 
 /// Decodes a tape to seven-bit characters; bytes of wrong parity become an illegal character.

@@ -18,11 +18,17 @@ const PLACES: &[&str] = &["VCHKX", "VCHKZ", "VWKR"];
 impl Builder<'_, '_, '_> {
     /// A block with one or two assignments, sometimes with words behind them.
     pub(crate) fn assignment(&mut self) {
-        if self.state.is_eia() {
+        let changing = self.allows(Feature::Variable) || self.allows(Feature::LocalVariable);
+        if self.state.is_eia() || self.state.control.steady && !changing {
             return self.auxiliary();
         }
         let mut items = Vec::new();
         for _ in 0..=self.choices.below(2) {
+            if self.state.control.steady {
+                items.push(self.changing_assignment());
+                self.state.begin_block();
+                continue;
+            }
             let common = self.choices.chance(55) && self.allows(Feature::Variable);
             let item =
                 if common || !self.allows(Feature::SystemVariable) { self.common() } else { self.system() };
@@ -52,6 +58,7 @@ impl Builder<'_, '_, '_> {
         }
         let value = value.map_or(0.0, Estimate::to_f64);
         self.state.common.insert(number, value);
+        self.state.control.now_known(number);
         Item::Assignment(Variable::Common(number), expression)
     }
 
@@ -69,6 +76,7 @@ impl Builder<'_, '_, '_> {
                 let target = self.choices.pick(&["VINPX", "VINPZ", "VINPC"]);
                 self.assign(Variable::System(target), number).0
             }
+            6 | 7 if self.state.barriers.is_wanted() => self.barrier_variable(),
             6 => {
                 let target = self.choices.pick(SIZES);
                 self.assign_length(Variable::System(target), 0, 9_999_999).0

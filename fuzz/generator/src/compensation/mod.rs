@@ -127,6 +127,16 @@ impl Compensation {
         Point { z: z as f64, x: x as f64 }
     }
 
+    /// Notes that the block in progress leads where it must not.
+    pub fn does_not_fit(&mut self) {
+        self.misfit = true;
+    }
+
+    /// Counts blocks without X/Z motion that a program which was called has.
+    pub fn pass(&mut self, blocks: usize) {
+        self.idle += blocks;
+    }
+
     /// Counts a block that was written.
     pub fn note_block(&mut self, items: &[Item]) {
         self.idle = if ["X", "Z", "A"].iter().any(|axis| has(items, axis)) { 0 } else { self.idle + 1 };
@@ -170,12 +180,15 @@ const ATTEMPTS: usize = 8;
 impl Builder<'_, '_, '_> {
     /// The kind of the next block while compensation is in force.
     pub(crate) fn compensated_kind(&mut self) -> Kind {
-        let Self { choices, profile, state, .. } = self;
+        let Self { choices, profile, state, control, .. } = &mut *self;
         // A start-up bears one block without X/Z motion.
         let bound = state.compensation.starting && (state.compensation.idle > 0 || choices.chance(80));
         let list = if bound { ELEMENTS } else { KINDS };
-        let list: Vec<_> = list.iter().copied().filter(|(_, kind)| kind.is_within(profile)).collect();
-        if list.is_empty() { Kind::Rapid } else { choices.weighted(&list) }
+        let control = if bound { 0 } else { *control / 3 };
+        let list = list.iter().copied().chain([(control, Kind::Control)]);
+        let list: Vec<_> =
+            list.filter(|(_, kind)| kind.is_within(profile) && state.control.permits(*kind)).collect();
+        if list.iter().all(|(weight, _)| *weight == 0) { Kind::Rapid } else { choices.weighted(&list) }
     }
 
     /// Writes a block that fits, if one is found; one that does not is seldom let stand.
@@ -214,6 +227,8 @@ impl Builder<'_, '_, '_> {
 
     /// Notes a motion of X and Z, straight or about a centre.
     pub(crate) fn travelled(&mut self, from: Point, to: Point, centre: Option<(Point, Mode)>) {
+        self.state.control.note_way([to.diameter(), to.coordinate()]);
+        self.watch(from, to, centre);
         let compensation = &mut self.state.compensation;
         if !compensation.is_on() {
             compensation.left_over = false;
@@ -290,8 +305,9 @@ impl Builder<'_, '_, '_> {
 
     /// Words of C or W alone, where there are such axes.
     fn axes_beside(&mut self, items: &mut Vec<Item>) -> bool {
-        let c = self.state.joined && !self.state.clamped && self.allows(Feature::CAxis);
-        let w = self.state.setup.options.w_axis;
+        let steady = self.state.control.steady;
+        let c = self.state.joined && !self.state.clamped && self.allows(Feature::CAxis) && !steady;
+        let w = self.state.setup.options.w_axis && !steady;
         if w && !(c && self.choices.chance(50)) {
             self.axis_word(Axis::W, items);
         } else if c {

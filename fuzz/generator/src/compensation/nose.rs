@@ -39,7 +39,7 @@ impl Builder<'_, '_, '_> {
         let compensation = &mut self.state.compensation;
         let known: Vec<u8> = compensation.radii.keys().copied().filter(|number| *number > 0).collect();
         let allowed = self.profile.allows(Feature::Tool) && self.state.setup.options.nose_radius_compensation;
-        if known.is_empty() || !allowed {
+        if known.is_empty() || !allowed || self.state.control.steady {
             return None;
         }
         let nose = if self.choices.chance(90) { self.choices.pick(&known) } else { 0 };

@@ -2,9 +2,12 @@
 //!
 //! A fault returns false when the set-up or the state does not let it happen.
 
+mod barrier;
 mod compensation;
+mod control;
 mod motion;
 mod state;
+mod statement;
 mod text;
 
 use turnspec_oracle::vocabulary::{AlarmName, Chamfering, Setup, TapeCode};
@@ -37,6 +40,8 @@ fn special(setup: &Setup) -> Vec<Fault> {
         (!setup.nose_radius.is_empty(), Fault::TravelLimitNegative),
         (!setup.nose_radius.is_empty(), Fault::TravelLimitPositive),
         (setup.options.user_task == 1, Fault::UserTaskLevel),
+        (setup.parameters.call_depth != 8, Fault::CallDepth),
+        (setup.barriers != Setup::default().barriers, Fault::Barrier),
         (!setup.inputs.turret_clamp_confirmed, Fault::TurretClamp),
         (setup::is_over_time(setup), Fault::StmOver),
         (setup.parameters.torque_limit_upper < 100, Fault::TorqueLimitRange),
@@ -56,6 +61,7 @@ pub(crate) fn is_first(fault: Fault) -> bool {
             | Fault::ProgramNameMalformed
             | Fault::ProgramNameReserved
             | Fault::ProgramNameNotAlone
+            | Fault::ProgramKind
     )
 }
 
@@ -68,7 +74,9 @@ impl Builder<'_, '_, '_> {
     /// Adds the blocks of a fault.
     pub(crate) fn fault(&mut self, fault: Fault) -> bool {
         self.begin();
-        self.compensation_fault(fault)
+        self.control_fault(fault)
+            || self.barrier_fault(fault)
+            || self.compensation_fault(fault)
             || self.motion_fault(fault)
             || self.state_fault(fault)
             || self.text_fault(fault)
@@ -79,6 +87,8 @@ impl Builder<'_, '_, '_> {
         if self.state.is_eia() && lines.iter().any(|line| line.contains(['=', '[', ']', '$', '*', ':'])) {
             return false;
         }
+        self.settle_label();
+        self.state.control.jumps |= lines.iter().any(|line| line.contains("GOTO") || line.contains("IF"));
         for line in lines {
             self.raw(line.as_bytes());
         }

@@ -73,7 +73,8 @@ impl Builder<'_, '_, '_> {
         for _ in 0..times {
             let delete = self.choices.chance(20);
             let items = vec![Item::m(65)];
-            self.lines.push(Line::Block(Block { delete, sequence: Some(name.clone()), items }));
+            let sequence = Some(name.clone());
+            self.lines.push(Line::Block(Block { delete, sequence, items, ..Block::default() }));
         }
         true
     }

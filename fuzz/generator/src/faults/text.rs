@@ -3,6 +3,7 @@
 use turnspec_oracle::vocabulary::TapeCode;
 
 use super::Fault;
+use super::statement::{STATEMENTS, is_statement};
 use crate::builder::Builder;
 use crate::codes;
 use crate::tape::WRONG_PARITY;
@@ -23,7 +24,6 @@ const TEXTS: &[(Fault, &[&str])] = &[
     (Fault::SequenceNameMalformed, &["N", "N-5 G00", "N(1) X5", "N /X5", "N.5"]),
     (Fault::SequenceDelimiterMissing, &["N10G01", "N1234567", "NABCDEFG X1", "N1A G00", "N10-5", "N5=7"]),
     (Fault::SlashMisplaced, &["G00 / X5", "//G00", "/N7 / X5", "X5/2", "X5 /", "N8 //"]),
-    (Fault::StatementMisplaced, &["G00 GOTO N5", "X5 IF[V1 EQ 1] N1", "M08 END", "M08 RTS X5"]),
     (Fault::Format, &[
         "X=", "5", "G00 +5", "X5(A)5", "X5\t5", "SIN[5]", "X=1 LT 2 LT 3", "G00 [5]", "X=G1", "X=SB", "EQ 5",
         "V5=GOTO", "X=5+", "V1=*5", "X=[]", "=5", "V1=", "X5 , Z3", "V1=1 AND", "X=2*", "NOT 5", "X=X",
@@ -93,8 +93,8 @@ const TEXTS: &[(Fault, &[&str])] = &[
         "G91 G22 Z0 D1 L5 F1 PZ=5", "G94 G91 G22 Z50 D1 L5 F99999 PZ=5", "G95 G91 G22 Z50 D1 L5 F1 PZ=5",
     ]),
     (Fault::NotModelled, &[
-        "P5", "Q5 X1", "G00 N5", "ZA=5", "ABC=5", "VZOFY=1", "V1=VTLCN[1]", "X=ABC", "N17 RTS", "/GOTO N5", "XZ5",
-        "VUACM[1]=1", "V1=VDIN[1]", "VMDT[1]=5",
+        "P5", "Q5 X1", "G00 N5", "ZA=5", "VZOFY=1", "V1=VTLCN[1]", "VUACM[1]=1", "V1=VDIN[1]", "VMDT[1]=5", "BC=1",
+        "N17 READ 1", "/GET", "PUT A", "$DAY1.SDF%",
     ]),
 ];
 
@@ -113,10 +113,15 @@ impl Builder<'_, '_, '_> {
     }
 
     fn listed(&mut self, fault: Fault) -> bool {
-        let Some((_, texts)) = TEXTS.iter().find(|(name, _)| *name == fault) else { return false };
-        let text = self.choices.pick(texts);
+        let lists = TEXTS.iter().chain(STATEMENTS).filter(|(name, _)| *name == fault);
+        let texts: Vec<&str> = lists.flat_map(|(_, texts)| texts.iter().copied()).collect();
+        if texts.is_empty() {
+            return false;
+        }
+        let text = self.choices.pick(&texts);
         let before = !super::is_first(fault)
             && !text.starts_with(['N', '/', 'O', ':', '$'])
+            && !is_statement(text)
             && self.choices.chance(20);
         let prefix = if before { self.choices.pick(&["M65 ", "(A) ", "H=1 "]) } else { "" };
         self.blocks(&[&format!("{prefix}{text}")])

@@ -1,0 +1,83 @@
+//! Modal calls: MODIN, blocks that trigger it, MODOUT.
+
+use std::rc::Rc;
+
+use turnspec_oracle::vocabulary::Feature;
+
+use crate::builder::Builder;
+use crate::companions::has;
+use crate::program::{Item, Statement};
+
+use super::local::Owner;
+use super::steady::Called;
+
+/// A modal call that is active.
+#[derive(Clone, Debug)]
+pub(super) struct Mode {
+    pub called: Rc<Called>,
+}
+
+impl Builder<'_, '_, '_> {
+    /// MODIN, a few blocks, MODOUT.
+    pub(super) fn modal(&mut self) {
+        let control = &self.state.control;
+        let depth = control.depth + control.modes.len() + 2;
+        if control.shared || depth > usize::from(self.state.setup.parameters.call_depth) {
+            return self.harmless_block();
+        }
+        let known: Vec<_> =
+            control.programs.iter().filter(|called| self.is_usable(called, true)).cloned().collect();
+        let called = if !known.is_empty() && self.choices.chance(40) {
+            known[self.choices.below(known.len())].clone()
+        } else {
+            let nature = self.nature(true);
+            self.shared_program(nature)
+        };
+        if !self.is_usable(&called, true) || self.state.compensation.has_to_go_on() {
+            return self.harmless_block();
+        }
+        self.begin();
+        let number = self.state.control.modes.len() + 1;
+        let mut items = self.bound_arguments(&called, Owner::Mode(number));
+        if items.is_empty() && self.choices.chance(30) {
+            items = self.free_arguments(Owner::Mode(number));
+        }
+        let statement = self.calling(&called.name, true);
+        self.statement(statement, items);
+        self.state.control.modes.push(Mode { called });
+        for _ in 0..=self.choices.below(4) {
+            self.grow_block();
+        }
+        self.settle_label();
+        self.statement(Statement::Modout, Vec::new());
+        self.state.control.modes.pop();
+        self.state.control.remove(Owner::Mode(number));
+    }
+
+    /// What a block that was just written triggers.
+    pub(crate) fn trigger(&mut self, items: &[Item]) {
+        if self.state.control.modes.is_empty() || !triggers(items) || !self.allows(Feature::ModalCall) {
+            return;
+        }
+        for place in 0..self.state.control.modes.len() {
+            self.run_mode(place);
+        }
+    }
+
+    /// The state after the program of a modal call, whose motions trigger the modes before it.
+    fn run_mode(&mut self, place: usize) {
+        let called = self.state.control.modes[place].called.clone();
+        self.after_program(&called);
+        if called.moves() {
+            for before in 0..place {
+                self.run_mode(before);
+            }
+        }
+    }
+}
+
+/// Whether a block has a motion of X or Z that triggers modal calls.
+fn triggers(items: &[Item]) -> bool {
+    let one_shot = |item: &Item| matches!(item, Item::Word(word) if word.is_g(&[4, 22, 28, 29, 50]));
+    (has(items, "X") || has(items, "Z")) && !items.iter().any(one_shot)
+}
