@@ -47,8 +47,8 @@ pub fn compare(program: &[u8], setup: &Setup) -> Result<Agreement, Box<Disagreem
     let mut reference = turnspec_oracle::Run::new(program, setup);
     let mut interpreter = Interpreter::new(program, setup);
     let mut agreement = Agreement { blocks: 0, events: 0, alarm: None };
-    // A step reads at least one line or ends the run, so that this many steps are enough for any program.
-    for _ in 0..program.len() + 2 {
+    // A step takes at least one block or ends the run, so that this many steps are enough for any program.
+    for _ in 0..setup.limits.steps.saturating_add(program.len() as u64).saturating_add(2) {
         if oracle.ending.is_none() {
             agreement.blocks += 1;
             oracle.ending = reference.step(&mut |event: &Event| oracle.events.push_back(*event));

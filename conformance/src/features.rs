@@ -61,6 +61,7 @@ criteria! {
     Chamfer "G75" |has| has.g(&[75]);
     Comment "a parenthesis" |has| has.words.comment;
     Coolant "a `coolant` event" |has| has.kind(|action| matches!(action, Action::Coolant { .. }));
+    Communication "READ, WRITE, GET, PUT" |has| ["READ", "WRITE", "GET", "PUT"].iter().any(|name| has.name(name));
     ControlStatement "GOTO, IF" |has| has.name("GOTO") || has.name("IF");
     CuttingSpeed "G96" |has| has.g(&[96]);
     Dwell "G04" |has| has.g(&[4]);
@@ -72,6 +73,9 @@ criteria! {
     Incremental "G91" |has| has.g(&[91]);
     Limits "travel limits in the set-up; a rule of LIM" |has| [has.setup.limits.x, has.setup.limits.z, has.setup.limits.w].iter().any(|limit| *limit != Limit::default())
         || has.area(&["LIM"]);
+    InputOutput "a variable VDIN, VDOUT, VIRD, VORD" |has| ["VDIN", "VDOUT", "VIRD", "VORD"]
+        .iter()
+        .any(|name| has.system_variable(name));
     Linear "G01; a `linear` event" |has| has.g(&[1]) || has.kind(|action| matches!(action, Action::Linear { .. }));
     LocalVariable "a rule of LVAR" |has| has.area(&["LVAR"]);
     MTool "address SB; a command to the spindle `tool`" |has| has.name("SB") || has.spindle(SpindleName::Tool);
@@ -86,6 +90,8 @@ criteria! {
         || has.area(&["NRC", "CRC"]);
     Rapid "G00; a `rapid` event" |has| has.g(&[0]) || has.kind(|action| matches!(action, Action::Rapid { .. }));
     Rounding "G76" |has| has.g(&[76]);
+    Schedule "PSELECT, VSET, END; a `select` event" |has| ["PSELECT", "VSET", "END"].iter().any(|name| has.name(name))
+        || has.kind(|action| matches!(action, Action::Select { .. }));
     SequenceName "a sequence name" |has| has.words.sequence;
     Spindle "address S; M03, M04, M05, M19; a command to the spindle `main`" |has| has.letter('S')
         || has.m(&[3, 4, 5, 19]) || has.spindle(SpindleName::Main);
@@ -99,6 +105,7 @@ criteria! {
     Turret "G13, G14; a rule of TUR, TUNC" |has| has.g(&[13, 14]) || has.area(&["TUR", "TUNC"]);
     Units "another unit system than `1mm` in the set-up; G20, G21" |has|
         has.setup.unit_system != UnitSystem::Millimetre || has.g(&[20, 21]);
+    UserAlarm "a rule of VUACM" |has| has.area(&["VUACM"]);
     Variable "a variable with a number; variables in the set-up" |has| has.words.variable
         || !has.setup.variables.is_empty();
     WAxis "address W; the axis in the set-up" |has| has.letter('W') || has.setup.options.w_axis;

@@ -106,11 +106,19 @@ impl Words {
     }
 
     fn items(&mut self, mut rest: &str, shift: &mut (bool, bool)) {
+        if let Some(selection) = rest.trim_start().strip_prefix("PSELECT") {
+            // Files and program names are no words; the number of repetitions may be an expression.
+            self.names.insert("PSELECT".to_owned());
+            rest = selection.splitn(4, ',').nth(3).unwrap_or_default();
+        }
         let mut before = ' ';
         while let Some(next) = rest.chars().next() {
             let length = if next.is_ascii_uppercase() {
                 let letters = run(rest, |each| each.is_ascii_uppercase());
                 self.name(letters, rest.get(letters.len()..).unwrap_or_default(), before, shift)
+            } else if next == '\'' {
+                // A character string.
+                2 + run(rest.get(1..).unwrap_or_default(), |each| *each != '\'').len()
             } else if next == '$' {
                 // A hexadecimal number.
                 1 + run(rest.get(1..).unwrap_or_default(), |each| each.is_ascii_hexdigit()).len()
@@ -176,6 +184,7 @@ impl Words {
                     self.function = true;
                 } else {
                     self.names.insert(letters.to_owned());
+                    self.expression |= before == '=';
                 }
             }
         }

@@ -115,6 +115,13 @@ chapters! {
     "e100l/subprograms.md"
     "e100l/modal-calls.md"
     "e100l/macros.md"
+    "e100l/communication.md"
+    "e100l/communication-put.md"
+    "e100l/io-variables.md"
+    "e100l/user-alarms.md"
+    "e100l/schedules.md"
+    "e100l/schedules-select.md"
+    "e100l/acceleration.md"
 }
 
 /// Every rule of the OSP-E100L, in the order of the book.

@@ -9,9 +9,11 @@
 //! speed.
 //!
 //! One way through it, a stage a room: `syntax` (text to blocks), `run` (which block comes next), `task`
-//! (expressions, variables, and the programs that run within each other), `modal` (codes and modes), `path` (motion), `compensation` (nose radius), `frame` (machine coordinates and
-//! limits); `controls` holds the tables, `integer`, `quantity` and `real` the numbers.
+//! (expressions, variables, and the programs that run within each other), `modal` (codes and modes), `path` (motion),
+//! `barrier` (areas to keep out of), `compensation` (nose radius), `frame` (machine coordinates and limits); `controls`
+//! holds the tables, `integer`, `quantity` and `real` the numbers.
 
+mod barrier;
 pub mod book;
 mod check;
 mod compensation;

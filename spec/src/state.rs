@@ -1,5 +1,6 @@
 //! Everything that a control remembers from one block to the next.
 
+use crate::barrier::Watch;
 use crate::controls::e100l::g_codes::GGroup;
 use crate::controls::e100l::m_codes::GROUPS;
 use crate::controls::e100l::system_variables::Axis;
@@ -22,6 +23,8 @@ pub struct State<'a> {
     pub modes: Modes,
     /// Active M codes, in the order of the groups; none before the first where a group has no initial state.
     m_codes: Vec<Option<u16>>,
+    /// The barriers that watch the motions of this block.
+    pub watch: Watch,
     /// F, once it was programmed.
     pub feed: Option<StoredFeed>,
     /// Spindles.
@@ -96,6 +99,7 @@ impl<'a> State<'a> {
                 .iter()
                 .map(|group| group.codes.first().copied().filter(|_| group.initial))
                 .collect(),
+            watch: Watch::default(),
             feed: None,
             spindle: SpindleStore::default(),
             tool: 0,

@@ -45,6 +45,22 @@ fn only_lengths_in_inches_are_converted() {
     }
 }
 
+/// E100L-BARR-01 and E100L-BARR-08 are about motions that a barrier looked at: of X or Z, while it is on; the path of a
+/// positioning is no matter of a cut.
+#[test]
+fn only_what_a_barrier_looked_at_is_cited() {
+    let program = "M110\nG00 X10\nM25\nX20\nC90\nG01 Z10 F0.2\nM24\nZ20\nM02\n";
+    for (ordinal, watched, positioning) in
+        [(2, false, false), (4, true, true), (5, false, false), (7, true, false), (9, false, false)]
+    {
+        let event = event(program, &Setup::default(), ordinal);
+        assert_eq!(cites(&event, "E100L-BARR-01"), watched, "{ordinal}");
+        assert_eq!(cites(&event, "E100L-BARR-08"), positioning, "{ordinal}");
+        let reading = event.readings.iter().any(|reading| reading.as_str() == "barrier_path=line");
+        assert_eq!(reading, positioning, "{ordinal}");
+    }
+}
+
 /// Every motion cites the rules of radius compensation that made its end what it is, and no others.
 #[test]
 fn motions_cite_the_rules_of_their_ends() {

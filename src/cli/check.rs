@@ -4,18 +4,20 @@ use std::io::{Write, stderr, stdout};
 use std::path::PathBuf;
 
 use serde::Serialize;
-use turnspec_oracle::vocabulary::{Label, Place, RuleSet};
+use turnspec_oracle::vocabulary::{AlarmName, Label, Place, RuleSet, Setup};
 use turnspec_oracle::{Diagnostic, check};
 
 use super::book::Book;
 use super::format::Format;
 use super::input::Program;
+use super::options::SetupOptions;
 use super::report::Reporter;
+use super::sources::Sources;
 use super::{ColorChoice, Failure, Verdict, exit_status, setup_help};
 
 /// Find the faults of programs: those of each block's grammar, and the alarm of the run.
 ///
-/// The text goes to standard error; JSON, an array of faults, goes to standard output.
+/// A run is followed for 1,000,000 blocks at most. The text goes to standard error; JSON, an array of faults, goes to standard output.
 #[derive(clap::Args)]
 #[command(after_help = concat!(
     "Examples:\n  turnspec check shaft.min\n  turnspec check --setup lathe.toml *.min\n  \
@@ -26,13 +28,15 @@ pub struct Arguments {
     /// The programs; `-` is standard input.
     #[arg(required = true, value_name = "PROGRAM")]
     programs: Vec<PathBuf>,
-    /// The set-up file, for all programs.
-    #[arg(long, value_name = "FILE")]
-    setup: Option<PathBuf>,
+    #[command(flatten)]
+    setup: SetupOptions,
     /// How the faults are printed.
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
 }
+
+/// How many blocks of a run are looked at.
+const STEPS: u64 = 1_000_000;
 
 /// A fault in JSON.
 #[derive(Serialize)]
@@ -81,12 +85,13 @@ pub fn carry_out(arguments: &Arguments, color: ColorChoice) -> Result<Verdict, F
     let mut count = 0;
     for path in &arguments.programs {
         let program = Program::read(Some(path))?;
-        let setup = program.setup(arguments.setup.as_deref())?;
-        let diagnostics = check(&program.text, &setup);
+        let setup = arguments.setup.setup(&program)?;
+        let diagnostics = faults_of(&program, &setup);
         count += diagnostics.len();
         match arguments.format {
             Format::Text => {
-                let reporter = Reporter::new(&program, setup.tape.code, &book, color.on_stderr());
+                let sources = Sources::new(&program, &setup);
+                let reporter = Reporter::new(&sources, &book, color.on_stderr());
                 for Diagnostic { alarm, rules, block, span } in &diagnostics {
                     reporter.report(alarm, rules, block, span.clone());
                 }
@@ -102,6 +107,17 @@ pub fn carry_out(arguments: &Arguments, color: ColorChoice) -> Result<Verdict, F
         Format::Text => {}
     }
     Ok(Verdict::fault_if(count > 0))
+}
+
+/// The faults of a program. Its run is followed for [`STEPS`] blocks at most; that it goes on is no fault.
+fn faults_of(program: &Program, setup: &Setup) -> Vec<Diagnostic> {
+    let mut followed = setup.clone();
+    followed.limits.steps = setup.limits.steps.min(STEPS);
+    let mut faults = check(&program.text, &followed);
+    if followed.limits.steps < setup.limits.steps {
+        faults.retain(|fault| fault.alarm.name != AlarmName::StepLimit);
+    }
+    faults
 }
 
 fn summary(faults: usize, programs: usize) -> String {

@@ -1,25 +1,28 @@
 //! `explain`: a run, event by event, with the rules that justify each.
 
 use std::collections::BTreeSet;
-use std::io::{self, BufWriter, Write, stdout};
+use std::io::{self, BufWriter, Write, stderr, stdout};
 use std::path::PathBuf;
 
 use turnspec_oracle::Run;
-use turnspec_oracle::vocabulary::{Action, Event, Place, RuleId, TapeCode};
+use turnspec_oracle::vocabulary::{Action, Event, Place, RuleId};
 
 use super::book::{Book, heading};
 use super::excerpt::{block_text, last_line};
 use super::input::Program;
 use super::machine::Machine;
+use super::options::SetupOptions;
 use super::report::Reporter;
+use super::situation::{CommonVariables, situation};
+use super::sources::Sources;
 use super::words::describe;
 use super::wrap::wrap;
 use super::{ColorChoice, Failure, Verdict, exit_status, setup_help};
 
 /// Run a program and say why: each event with the text of its rules.
 ///
-/// A rule is printed in full where it is met first, later with its title only. The reference
-/// implementation runs.
+/// A rule is printed in full where it is met first, later with its title only. At an alarm the calls, variables and
+/// modes in force are shown on standard error. The reference implementation runs.
 #[derive(clap::Args)]
 #[command(after_help = concat!(
     "Examples:\n  turnspec explain shaft.min\n  turnspec explain shaft.min --block N010\n  \
@@ -32,9 +35,8 @@ pub struct Arguments {
     /// Only the block with this sequence name, such as N010, or on this line.
     #[arg(long, value_name = "N")]
     block: Option<Selection>,
-    /// The set-up file.
-    #[arg(long, value_name = "FILE")]
-    setup: Option<PathBuf>,
+    #[command(flatten)]
+    setup: SetupOptions,
 }
 
 /// A block by its sequence name, with `N`, or by one of its lines.
@@ -58,10 +60,13 @@ impl std::str::FromStr for Selection {
 }
 
 impl Selection {
-    fn selects(&self, block: &Place, program: &[u8], code: TapeCode) -> bool {
+    fn selects(&self, block: &Place, sources: &Sources) -> bool {
         match self {
             Self::Sequence(name) => block.sequence.as_str() == name,
-            Self::Line(line) => (block.line as usize..=last_line(program, code, block)).contains(line),
+            Self::Line(line) => {
+                let last = last_line(sources.of(block).text, sources.code(), block);
+                (block.line as usize..=last).contains(line)
+            }
         }
     }
 }
@@ -69,24 +74,25 @@ impl Selection {
 /// Explains the run.
 pub fn carry_out(arguments: &Arguments, color: ColorChoice) -> Result<Verdict, Failure> {
     let program = Program::read(Some(&arguments.program))?;
-    let setup = program.setup(arguments.setup.as_deref())?;
-    let code = setup.tape.code;
+    let setup = arguments.setup.setup(&program)?;
+    let sources = Sources::new(&program, &setup);
     let book = Book::open()?;
     let out = BufWriter::new(stdout().lock());
     let mut explanation =
-        Explanation { out, program: &program, code, book: &book, told: BTreeSet::new(), block: None };
+        Explanation { out, sources: &sources, book: &book, told: BTreeSet::new(), block: None };
     let mut run = Run::new(&program.text, &setup);
     let mut alarm = None;
+    let mut variables = CommonVariables::default();
     let mut written = Ok(());
     let mut found = arguments.block.is_none();
     loop {
         let ending = Machine::step(&mut run, &mut |event| {
             let selected = arguments.block.as_ref();
-            if written.is_ok() && selected.is_none_or(|each| each.selects(&event.block, &program.text, code))
-            {
+            if written.is_ok() && selected.is_none_or(|each| each.selects(&event.block, &sources)) {
                 found = true;
                 written = explanation.event(event);
             }
+            variables.event(event);
             if let Action::Alarm(each) = event.action {
                 alarm = Some((each, *event));
             }
@@ -98,8 +104,9 @@ pub fn carry_out(arguments: &Arguments, color: ColorChoice) -> Result<Verdict, F
     }
     explanation.out.flush()?;
     if let Some((alarm, event)) = &alarm {
-        let reporter = Reporter::new(&program, code, &book, color.on_stderr());
+        let reporter = Reporter::new(&sources, &book, color.on_stderr());
         reporter.report(alarm, &event.rules, &event.block, event.block.start..event.block.end);
+        let _ = stderr().write_all(situation(&run, &variables).as_bytes());
     }
     if !found {
         return Err(Failure::about(
@@ -112,8 +119,7 @@ pub fn carry_out(arguments: &Arguments, color: ColorChoice) -> Result<Verdict, F
 
 struct Explanation<'a, W> {
     out: W,
-    program: &'a Program,
-    code: TapeCode,
+    sources: &'a Sources<'a>,
     book: &'a Book,
     /// The rules that were printed in full.
     told: BTreeSet<RuleId>,
@@ -123,12 +129,12 @@ struct Explanation<'a, W> {
 
 impl<W: Write> Explanation<'_, W> {
     fn event(&mut self, event: &Event) -> io::Result<()> {
-        let same = self.block.is_some_and(|block| block.start == event.block.start);
+        let same = self.block.is_some_and(|block| block == event.block);
         if !same {
             if self.block.is_some() {
                 writeln!(self.out)?;
             }
-            let text = block_text(&self.program.text, self.code, &event.block);
+            let text = block_text(self.sources.of(&event.block).text, self.sources.code(), &event.block);
             writeln!(self.out, "line {}: {text}", event.block.line)?;
             self.block = Some(event.block);
         }

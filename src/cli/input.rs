@@ -29,14 +29,17 @@ impl Program {
         let path = path.filter(|path| *path != Path::new("-"));
         let name = path.map_or("standard input".to_owned(), |path| path.display().to_string());
         let text = match path {
-            Some(path) => File::open(path).and_then(|file| {
-                let size = file.metadata().map_or(0, |metadata| metadata.len());
-                if size > LARGEST { Err(too_large()) } else { read_limited(file) }
-            }),
+            Some(path) => read_file(path),
             None => read_limited(io::stdin().lock()),
         };
         let text = text.map_err(|error| Failure::about(&name, error))?;
         Ok(Self { name, text, path: path.map(Path::to_owned) })
+    }
+
+    /// Whether it was read from this file.
+    pub fn is_at(&self, path: &Path) -> bool {
+        let full = |path: &Path| path.canonicalize().ok();
+        self.path.as_deref().and_then(full).is_some_and(|own| Some(own) == full(path))
     }
 
     /// The set-up to run on: the file given, else the file beside the program, else the default.
@@ -57,6 +60,16 @@ impl Program {
             Err(error) => Err(Failure::about(path.display(), error)),
         }
     }
+}
+
+/// Reads a file with a program text.
+///
+/// # Errors
+/// When the file cannot be read, or holds 4 GiB or more.
+pub fn read_file(path: &Path) -> io::Result<Vec<u8>> {
+    let file = File::open(path)?;
+    let size = file.metadata().map_or(0, |metadata| metadata.len());
+    if size > LARGEST { Err(too_large()) } else { read_limited(file) }
 }
 
 fn read_limited(source: impl Read) -> io::Result<Vec<u8>> {

@@ -5,31 +5,31 @@ use std::io::Write;
 use std::ops::Range;
 
 use miette::{GraphicalReportHandler, GraphicalTheme, LabeledSpan, SourceCode};
-use turnspec_oracle::vocabulary::{Alarm, Place, RuleSet, TapeCode};
+use turnspec_oracle::vocabulary::{Alarm, Place, RuleSet};
 
 use super::book::Book;
 use super::excerpt::Excerpt;
-use super::input::Program;
+use super::sources::Sources;
 use super::words::alarm_words;
 
-/// Prints reports on one program to standard error.
+/// Prints reports on the texts of one run to standard error.
 pub struct Reporter<'a> {
-    program: &'a Program,
-    code: TapeCode,
+    sources: &'a Sources<'a>,
     book: &'a Book,
     handler: GraphicalReportHandler,
 }
 
 impl<'a> Reporter<'a> {
-    /// A reporter on a program that is coded as its set-up says.
-    pub fn new(program: &'a Program, code: TapeCode, book: &'a Book, color: bool) -> Self {
+    /// A reporter on the texts of a run.
+    pub fn new(sources: &'a Sources<'a>, book: &'a Book, color: bool) -> Self {
         let theme = if color { GraphicalTheme::unicode() } else { GraphicalTheme::unicode_nocolor() };
         let handler = GraphicalReportHandler::new_themed(theme).with_width(100).with_context_lines(1);
-        Self { program, code, book, handler }
+        Self { sources, book, handler }
     }
 
     /// Prints an alarm at a byte span of its block.
     pub fn report(&self, alarm: &Alarm, rules: &RuleSet, block: &Place, span: Range<u32>) {
+        let source = self.sources.of(block);
         let report = Report {
             title: alarm_words(alarm),
             place: if block.sequence.is_empty() {
@@ -38,11 +38,11 @@ impl<'a> Reporter<'a> {
                 format!("in {}", block.sequence)
             },
             rules: rules.as_slice().iter().map(|rule| self.book.heading(*rule)).collect(),
-            excerpt: Excerpt::new(&self.program.name, &self.program.text, self.code, block, &span),
+            excerpt: Excerpt::new(source.name, source.text, self.sources.code(), block, &span),
         };
         let mut text = String::new();
         if self.handler.render_report(&mut text, &report).is_err() {
-            text = format!("{}: line {}: {report}\n", self.program.name, block.line);
+            text = format!("{}: line {}: {report}\n", source.name, block.line);
         }
         let _ = std::io::stderr().write_all(text.as_bytes());
     }

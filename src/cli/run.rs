@@ -12,7 +12,9 @@ use super::excerpt::block_text;
 use super::input::Program;
 use super::lockstep::{Mismatch, compare};
 use super::machine::Machine;
+use super::options::SetupOptions;
 use super::report::Reporter;
+use super::sources::Sources;
 use super::trace::{Format, TraceWriter};
 use super::{ColorChoice, Failure, Verdict, exit_status, setup_help};
 
@@ -23,15 +25,15 @@ use super::{ColorChoice, Failure, Verdict, exit_status, setup_help};
 #[command(after_help = concat!(
     "Examples:\n  turnspec run shaft.min\n  turnspec run --format jsonl shaft.min | head\n  \
      turnspec run --with both --setup lathe.toml shaft.min\n  \
+     turnspec run --library subprograms --set V1=10 shaft.min\n  \
      printf 'G00 X50 Z100\\nM02\\n' | turnspec run\n\n",
     setup_help!(), "\n\n", exit_status!()
 ))]
 pub struct Arguments {
     /// The program; standard input if it is missing or `-`.
     program: Option<PathBuf>,
-    /// The set-up file.
-    #[arg(long, value_name = "FILE")]
-    setup: Option<PathBuf>,
+    #[command(flatten)]
+    setup: SetupOptions,
     /// Which implementation runs: the reference, the fast one, or both, compared event by event.
     #[arg(long, value_enum, default_value_t = Implementation::Engine)]
     with: Implementation,
@@ -50,7 +52,7 @@ enum Implementation {
 /// Runs the program.
 pub fn carry_out(arguments: &Arguments, color: ColorChoice) -> Result<Verdict, Failure> {
     let program = Program::read(arguments.program.as_deref())?;
-    let setup = program.setup(arguments.setup.as_deref())?;
+    let setup = arguments.setup.setup(&program)?;
     let out = BufWriter::with_capacity(1 << 16, stdout().lock());
     let mut trace = TraceWriter::new(out, arguments.format, color.on_stdout())?;
     let text = &program.text;
@@ -60,10 +62,11 @@ pub fn carry_out(arguments: &Arguments, color: ColorChoice) -> Result<Verdict, F
         Implementation::Both => drive_both(&program, &setup, &mut trace)?,
     };
     trace.finish()?;
+    let sources = Sources::new(&program, &setup);
     if let Some(mismatch) = &mismatch {
-        report_mismatch(mismatch, &program, &setup);
+        report_mismatch(mismatch, &program.name, &sources);
     }
-    let alarm = last.filter(|event| report_alarm(event, &program, &setup, color.on_stderr()));
+    let alarm = last.filter(|event| report_alarm(event, &sources, color.on_stderr()));
     Ok(Verdict::fault_if(alarm.is_some() || mismatch.is_some()))
 }
 
@@ -100,22 +103,22 @@ fn drive_both(
 }
 
 /// Reports the event if it is an alarm; whether it is one.
-fn report_alarm(event: &Event, program: &Program, setup: &Setup, color: bool) -> bool {
+fn report_alarm(event: &Event, sources: &Sources, color: bool) -> bool {
     let Action::Alarm(alarm) = &event.action else { return false };
     let book = Book::open().unwrap_or_default();
-    let reporter = Reporter::new(program, setup.tape.code, &book, color);
+    let reporter = Reporter::new(sources, &book, color);
     reporter.report(alarm, &event.rules, &event.block, event.block.start..event.block.end);
     true
 }
 
-fn report_mismatch(mismatch: &Mismatch, program: &Program, setup: &Setup) {
+fn report_mismatch(mismatch: &Mismatch, name: &str, sources: &Sources) {
     let Mismatch { oracle, engine } = mismatch;
     let show = |event: &Option<Event>| {
         event.as_ref().map_or_else(|| "the run has ended".to_owned(), notation::render)
     };
-    let mut text = format!("turnspec: {}: oracle and engine disagree\n", program.name);
+    let mut text = format!("turnspec: {name}: oracle and engine disagree\n");
     if let Some(event) = oracle.or(*engine) {
-        let block = block_text(&program.text, setup.tape.code, &event.block);
+        let block = block_text(sources.of(&event.block).text, sources.code(), &event.block);
         text.push_str(&format!("  event   {}, line {}\n  block   {block}\n", event.n, event.block.line));
     }
     text.push_str(&format!("  oracle  {}\n  engine  {}\n", show(oracle), show(engine)));

@@ -43,6 +43,11 @@ pub fn describe(event: &Event) -> String {
             CallCause::Modal => format!("modal call {name}"),
         },
         Action::Return => "return".to_owned(),
+        Action::Output { device, text, .. } => format!("send {text} to {device}"),
+        Action::Message { number, code, text } => {
+            format!("alarm {number} C, user reserve code {code} {text}")
+        }
+        Action::Select { file, name, repetition } => format!("select {file} {name}, repetition {repetition}"),
         Action::Stop => "program stop".to_owned(),
         Action::OptionalStop => "optional stop".to_owned(),
         Action::End { code } => format!("end of the program ({code})"),
@@ -173,7 +178,7 @@ fn value_unit(value: &Value) -> &'static str {
     match value {
         Value::Length(_) => " mm",
         Value::Angle(_) => " degrees",
-        Value::Real(_) | Value::Integer(_) => "",
+        Value::Real(_) | Value::Integer(_) | Value::Text(_) => "",
     }
 }
 

@@ -7,6 +7,7 @@ use super::Interpreter;
 use super::block::Before;
 use super::fault::Fault;
 use super::planted::{self, Bug};
+use super::task::Turn;
 use super::words::{Address, Slot, Words};
 
 /// What a block needs from the next one.
@@ -52,9 +53,12 @@ impl Interpreter<'_> {
     ) -> Result<(), Fault> {
         let rule = if need.chamfer { ANG_05 } else { ANG_06 };
         let unfit = Fault::new(AlarmName::AngleLookahead, rule);
-        let found = self.read(slot);
+        let found = self.read(slot, Turn::Ahead);
         self.fault_place = Some(if planted::is(Bug::AlarmOneBlockEarly) { need.place } else { slot.place });
         let found = found?;
+        if let Some(control) = slot.parsed.control.filter(|_| found) {
+            return Err(Fault::about(AlarmName::Unspecified, rule, control.word()));
+        }
         if !found || slot.parsed.has_assignment {
             self.fault_place = Some(need.place);
             return Err(unfit);

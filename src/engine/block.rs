@@ -56,6 +56,14 @@ pub struct Plan {
     pub compensation: Change,
 }
 
+impl Plan {
+    /// Whether it is an axis motion command of E100L-MODIN-03.
+    pub fn is_axis_motion(&self, words: &Words) -> bool {
+        let coordinate = words.has(Address::X) || words.has(Address::Z);
+        self.moves && self.one_shot != OneShot::TorqueSkip && coordinate
+    }
+}
+
 const AXES: u32 = Address::set(&[Address::X, Address::Z, Address::C, Address::W, Address::A, Address::QA]);
 const ARC: u32 = Address::set(&[Address::I, Address::K, Address::L, Address::Calrg]);
 const IMAGINARY: u32 = Address::set(&[Address::I, Address::K]);
@@ -194,13 +202,18 @@ impl Interpreter<'_> {
             let rule = if one_shot == OneShot::Chamfer { CHAM_02 } else { CHAM_10 };
             return Fault::raise(AlarmName::WordMissing, rule);
         }
-        if chamfering == Chamfering::Basic {
-            return if x == z || a { Fault::raise(AlarmName::ChamferAxes, CHAM_08) } else { Ok(()) };
+        let basic = chamfering == Chamfering::Basic;
+        if basic && (x == z || a) {
+            return Fault::raise(AlarmName::ChamferAxes, CHAM_08);
         }
         if !(x || z || a) {
             return Fault::raise(AlarmName::ChamferAxes, ANG_05);
         }
-        if x && z && a && !after_angle {
+        if (x || z) && self.task.modes_to_call() > 0 {
+            let code = if one_shot == OneShot::Chamfer { "G75" } else { "G76" };
+            return Err(Fault::about(AlarmName::Unspecified, MODIN_02, Label::new(code)));
+        }
+        if !basic && x && z && a && !after_angle {
             return Fault::raise(AlarmName::AngleOverdetermined, DTAP_01);
         }
         Ok(())

@@ -11,12 +11,13 @@ use super::compensation::Change;
 use super::fault::Fault;
 use super::planted::{self, Bug};
 use super::state::{C, StoredFeed, W, X, Z};
-use super::words::{Address, Slot, Words};
+use super::words::{Address, Parsed, Slot, Words};
 
 impl Interpreter<'_> {
     /// Carries out an evaluated block.
     pub(super) fn carry_out(&mut self, slot: &Slot, sink: &mut impl Sink) -> Result<Option<Ending>, Fault> {
         let Slot { parsed, words, .. } = slot;
+        let parsed: &Parsed = parsed;
         let before = Before {
             motion: self.state.motion,
             after_angle: self.state.angle_target.is_some(),
@@ -51,11 +52,16 @@ impl Interpreter<'_> {
             self.complete_change(sink)?;
         }
         let ending = self.stop(words, sink)?;
-        // A block that is only a name does not count.
-        if self.compensation.acts() && ending.is_none() && !parsed.items.is_empty() {
+        if ending.is_some() {
+            return Ok(ending);
+        }
+        if self.compensation.acts() && !parsed.is_only_name() {
             self.finish_block(sink)?;
         }
-        Ok(ending)
+        if self.task.has_modes() && plan.is_axis_motion(words) {
+            self.call_modes(sink)?;
+        }
+        Ok(None)
     }
 
     /// A G code that changes its modal group.

@@ -7,7 +7,7 @@ use turnspec_oracle::vocabulary::{RuleId, RuleSet, rule_ids};
 pub struct Cites {
     /// Rules of all motions.
     motion: u64,
-    /// Rules of radius compensation.
+    /// Rules of radius compensation and of the barriers.
     compensation: u64,
 }
 
@@ -64,7 +64,7 @@ cites! {
     CIRC_19 CHAM_03 CHAM_11 CHAM_12 CHAM_13 ANG_01 ANG_02 ANG_03 ANG_04 ANG_05 ANG_06 TRQ_03 TRQ_04 SMAX_01
     FEED_01 FEED_02 FEED_03 CSS_01 CSS_04 CSS_05 CAX_05 CAX_06 DTAP_03 DTAP_05 NRC_07 NRC_11 NRC_14 NRC_15 NRC_18
     NRC_20 NRC_23 NRC_26 NRC_30 NRC_31 NRC_32 NRC_33 NRC_41 NRC_42 NRC_43 NRC_44 NRC_45 NRC_46 NRC_48 NRC_49 NRC_51
-    NRC_52 NRC_60 NRC_62 NRC_63 NRC_66 NRC_69 NRC_71
+    NRC_52 NRC_60 NRC_62 NRC_63 NRC_66 NRC_69 NRC_71 BARR_01 BARR_08
 }
 
 /// Remembers the sets made last, since one program uses few of them.

@@ -89,6 +89,18 @@ pub fn g_code(code: u16) -> Status {
     }
 }
 
+/// Whether a G code is a macro code (E100L-MACRO-01).
+#[must_use]
+pub fn is_g_macro(code: u16) -> bool {
+    matches!(code, 161..=171 | 205..=214)
+}
+
+/// Whether an M code is a macro code (E100L-MACRO-02).
+#[must_use]
+pub fn is_m_macro(code: u16) -> bool {
+    matches!(code, 321..=325 | 341..=360)
+}
+
 /// The group of a modelled G code; none for any other.
 #[must_use]
 pub fn g_group(code: u16) -> Option<GGroup> {
@@ -141,8 +153,8 @@ fn within(ranges: &[(u16, u16)], code: u16) -> bool {
 #[must_use]
 pub fn m_code(code: u16) -> Status {
     match code {
-        // A barrier that is on (M21, M25) would have to be watched.
-        21 | 25 | 100 | 321..=325 | 341..=360 => Status::NotModelled,
+        100 => Status::NotModelled,
+        _ if is_m_macro(code) => Status::NotModelled,
         _ if within(&M_ASSIGNED, code) => Status::Modelled,
         _ => Status::Unassigned,
     }
@@ -234,9 +246,9 @@ pub fn m_rules(code: u16) -> RuleSet {
         15 | 16 => C_DIRECTION,
         63 => ANSWER,
         124 | 125 => CHECK,
-        20 => const { one(MCODE_09) },
+        20 | 21 => const { one(MCODE_09) },
         22 | 23 => const { one(MCODE_10) },
-        24 => const { one(MCODE_11) },
+        24 | 25 => const { one(MCODE_11) },
         26 | 27 => const { one(MCODE_12) },
         32..=34 => const { one(MCODE_13) },
         48 | 49 => const { one(MCODE_15) },

@@ -12,6 +12,7 @@ use super::fault::Fault;
 use super::functions;
 use super::number::Number;
 use super::planted::{self, Bug};
+use super::task::Registration;
 use super::words::{Address, Code, Function, Item, Operand, Operation, Parsed, Slot, Source, Words};
 
 impl Interpreter<'_> {
@@ -19,6 +20,7 @@ impl Interpreter<'_> {
     #[inline]
     pub(super) fn evaluate(&mut self, slot: &mut Slot, sink: &mut impl Sink) -> Result<(), Fault> {
         let Slot { parsed, words, .. } = slot;
+        let parsed: &Parsed = parsed;
         words.clear();
         for item in &parsed.items {
             match *item {
@@ -32,29 +34,49 @@ impl Interpreter<'_> {
                 Item::Mnemonic => {
                     words.meet(Address::Calrg);
                 }
-                Item::Common { number, value } => {
-                    let zero = if planted::is(Bug::NegativeZero) { -0.0 } else { 0.0 };
-                    let value = self.compute(parsed, value)?.real() + zero;
-                    if let Some(slot) = self.state.common.get_mut(usize::from(number)) {
-                        *slot = value;
+                assignment => self.assignment(parsed, assignment, Registration::Item, sink)?,
+            }
+        }
+        Ok(())
+    }
+
+    /// Carries out one assignment; nothing else has an effect here.
+    #[inline]
+    pub(super) fn assignment(
+        &mut self,
+        parsed: &Parsed,
+        item: Item,
+        registration: Registration,
+        sink: &mut impl Sink,
+    ) -> Result<(), Fault> {
+        match item {
+            Item::Word(..) | Item::Mnemonic => {}
+            Item::Common { number, value } => {
+                let zero = if planted::is(Bug::NegativeZero) { -0.0 } else { 0.0 };
+                let value = self.compute(parsed, value)?.real() + zero;
+                if let Some(slot) = self.state.common.get_mut(usize::from(number)) {
+                    *slot = value;
+                }
+                const RULES: RuleSet = RuleSet::of(&[CVAR_04, TYPE_04]);
+                let mut name = Label::new("V");
+                push_number(&mut name, number.into());
+                let action = Action::Variable { name, value: Value::Real(value) };
+                self.emit(sink, RULES, action);
+            }
+            Item::System { variable, suffix, value } => {
+                let suffix = match suffix {
+                    Some(code) => {
+                        let number = self.compute(parsed, code)?.number();
+                        Some(self.suffix(variable, number)?)
                     }
-                    const RULES: RuleSet = RuleSet::of(&[CVAR_04, TYPE_04]);
-                    let mut name = Label::new("V");
-                    push_number(&mut name, number.into());
-                    let action = Action::Variable { name, value: Value::Real(value) };
-                    self.emit(sink, RULES, action);
-                }
-                Item::System { variable, suffix, value } => {
-                    let suffix = match suffix {
-                        Some(code) => {
-                            let number = self.compute(parsed, code)?.number();
-                            Some(self.suffix(variable, number)?)
-                        }
-                        None => None,
-                    };
-                    let value = self.compute(parsed, value)?;
-                    self.assign(variable, suffix, value, sink)?;
-                }
+                    None => None,
+                };
+                let value = self.compute(parsed, value)?;
+                self.assign(variable, suffix, value, sink)?;
+            }
+            Item::Local { name, value } => {
+                let value = self.compute(parsed, value)?.real() + 0.0;
+                self.assign_local(name, value, registration, sink)?;
             }
         }
         Ok(())
@@ -152,6 +174,9 @@ impl Interpreter<'_> {
         let group = match codes::g_code(code) {
             Status::Modelled => codes::g_group(code).unwrap_or(GGroup::OneShot),
             Status::Unspecified => return Err(Fault::about(AlarmName::Unspecified, GTAB_01, detail())),
+            Status::NotModelled if codes::is_g_macro(code) => {
+                return Err(Fault::about(AlarmName::StatementMisplaced, MACRO_01, detail()));
+            }
             Status::NotModelled => return Err(Fault::about(AlarmName::NotModelled, GTAB_01, detail())),
             Status::Unassigned => return Fault::raise(AlarmName::GCodeUnassigned, GTAB_01),
         };
@@ -200,6 +225,7 @@ impl Interpreter<'_> {
                     };
                     self.read_variable(variable, suffix)?
                 }
+                Operation::Local(name) => Operand::Real(self.task.read_local(name)?),
                 Operation::Negate => functions::negate(pop())?,
                 Operation::Not => Operand::Integer(!functions::bits(pop())?),
                 Operation::Call(function @ (Function::Atan2 | Function::Mod)) => {
@@ -246,6 +272,10 @@ fn m_word(words: &mut Words, number: Number) -> Result<(), Fault> {
     match codes::m_code(code) {
         Status::Modelled => {}
         Status::Unassigned => return Fault::raise(AlarmName::MCodeUnassigned, MTAB_01),
+        Status::NotModelled if codes::is_m_macro(code) => {
+            let detail = Label::of_code(b'M', code);
+            return Err(Fault::about(AlarmName::StatementMisplaced, MACRO_02, detail));
+        }
         Status::NotModelled | Status::Unspecified => {
             let rule = match code {
                 21 => MCODE_09,

@@ -6,9 +6,10 @@ use turnspec_oracle::vocabulary::rule_ids::*;
 use super::arithmetic::digits::Digits;
 use super::arithmetic::scale::TEN;
 use super::fault::Fault;
-use super::items::{Variable, is_extended, local_variable};
+use super::items::{Variable, is_extended};
 use super::parse::{KEYWORDS, Parser, check_digits};
 use super::planted::{self, Bug};
+use super::task::LocalName;
 use super::text::{Class, class};
 use super::words::{Code, Comparison, Function, Operand, Operation};
 
@@ -85,6 +86,11 @@ fn word(name: &[u8]) -> Option<Word> {
 /// Whether a run is exactly a binary operator.
 pub fn is_binary_word(name: &[u8]) -> bool {
     matches!(word(name), Some(Word::Binary(_)))
+}
+
+/// Whether a run is one letter, alone or before a digit.
+pub fn has_one_letter(name: &[u8]) -> bool {
+    name.get(1).is_none_or(u8::is_ascii_digit)
 }
 
 /// Whether a name is a function or an operator.
@@ -312,11 +318,13 @@ impl Parser<'_> {
                 }
             };
         }
-        let one_letter = name.get(1).is_none_or(u8::is_ascii_digit);
-        if one_letter || is_extended(name) || KEYWORDS.contains(&name) || name == b"CALRG" {
+        if has_one_letter(name) || is_extended(name) || KEYWORDS.contains(&name) || name == b"CALRG" {
             return Fault::raise(AlarmName::Format, AEXP_01);
         }
-        Err(local_variable(name))
+        let local = LocalName::of(name)?;
+        self.at += length;
+        self.operation(Operation::Local(local));
+        Ok(())
     }
 
     /// The arguments of a function in brackets (E100L-MATH-08).

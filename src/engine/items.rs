@@ -9,6 +9,7 @@ use super::number::Number;
 use super::parse::{KEYWORDS, Parser, check_digits};
 use super::planted::{self, Bug};
 use super::system::{Lookup, SystemVariable, lookup};
+use super::task::LocalName;
 use super::text::{Class, class};
 use super::words::{Address, Item, Source};
 
@@ -94,11 +95,19 @@ impl Parser<'_> {
             Some(b'[' | b'$') => return Fault::raise(AlarmName::EqualSignMissing, FMT_02),
             _ => return Fault::raise(AlarmName::NumberMalformed, FMT_01),
         };
-        if matches!(address, Address::P | Address::Q) {
-            return Err(Fault::about(AlarmName::NotModelled, ADDR_01, Label::new(address.text())));
-        }
         self.push_word(address, source);
         Ok(())
+    }
+
+    /// P and Q belong to functions that are not modelled yet (E100L-ADDR-01).
+    #[inline]
+    pub(super) fn refuse_later_word(&self) -> Result<(), Fault> {
+        match self.block.items.last().and_then(Item::address) {
+            Some(address @ (Address::P | Address::Q)) => {
+                Err(Fault::about(AlarmName::NotModelled, ADDR_01, Label::new(address.text())))
+            }
+            _ => Ok(()),
+        }
     }
 
     fn push_word(&mut self, address: Address, source: Source) {
@@ -201,26 +210,17 @@ impl Parser<'_> {
             self.push_word(address, source);
             return Ok(());
         }
-        Err(self.other_name(name))
-    }
-
-    /// Why a name that is no variable and no modelled address cannot stand as an item.
-    #[cold]
-    fn other_name(&self, name: &[u8]) -> Fault {
-        if is_other_extended(name) {
-            return Fault::about(AlarmName::NotModelled, FMT_03, Label::from_bytes(name));
+        let name = local_item(name)?;
+        self.at += length;
+        self.skip_blanks()?;
+        if self.peek() != Some(b'=') {
+            return Fault::raise(AlarmName::EqualSignMissing, FMT_02);
         }
-        if KEYWORDS.contains(&name) {
-            return Fault::new(AlarmName::StatementMisplaced, GCODE_03);
-        }
-        if super::expression::is_reserved(name) {
-            return Fault::new(AlarmName::Format, FMT_01);
-        }
-        match name.first() {
-            Some(b'N') => Fault::about(AlarmName::NotModelled, SEQ_01, Label::new("N")),
-            Some(b'O') => Fault::new(AlarmName::ProgramNameNotAlone, NAME_03),
-            _ => local_variable(name),
-        }
+        self.at += 1;
+        let value = self.expression()?;
+        self.block.has_assignment = true;
+        self.block.items.push(Item::Local { name, value });
+        Ok(())
     }
 
     /// An assignment to a common or system variable.
@@ -315,9 +315,21 @@ pub enum Variable {
     System(SystemVariable),
 }
 
-/// The name of a local variable, which is not modelled.
-#[cold]
-pub fn local_variable(name: &[u8]) -> Fault {
-    let name = name.get(..name.len().min(8)).unwrap_or_default();
-    Fault::about(AlarmName::NotModelled, AEXP_01, Label::from_bytes(name))
+/// The local variable that a name at item position means, if it is none of the words that have a meaning of
+/// their own.
+fn local_item(name: &[u8]) -> Result<LocalName, Fault> {
+    if is_other_extended(name) {
+        return Err(Fault::about(AlarmName::NotModelled, FMT_03, Label::from_bytes(name)));
+    }
+    if KEYWORDS.contains(&name) {
+        return Fault::raise(AlarmName::StatementMisplaced, GCODE_03);
+    }
+    if super::expression::is_reserved(name) {
+        return Fault::raise(AlarmName::Format, FMT_01);
+    }
+    match name.first() {
+        Some(b'N') => Err(Fault::about(AlarmName::NotModelled, SEQ_01, Label::new("N"))),
+        Some(b'O') => Fault::raise(AlarmName::ProgramNameNotAlone, NAME_03),
+        _ => LocalName::of(name),
+    }
 }

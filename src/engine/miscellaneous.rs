@@ -56,6 +56,7 @@ impl Interpreter<'_> {
 
     /// The M codes that come before the motion.
     pub(super) fn m_codes(&mut self, words: &Words, plan: Plan, sink: &mut impl Sink) -> Result<(), Fault> {
+        self.state.watch.begin_block();
         for &code in words.m_codes() {
             if matches!(code, 0 | 1 | 2 | 30) {
                 continue;
@@ -117,6 +118,7 @@ impl Interpreter<'_> {
                 let state = &mut self.state;
                 match code {
                     15 | 16 => state.c_negative = code == 16,
+                    20 | 21 | 24 | 25 => state.watch.switch(code),
                     109 | 110 => state.c_joined = code == 110,
                     124 | 125 => state.check_times = code == 124,
                     146 | 147 => state.c_clamped = code == 147,

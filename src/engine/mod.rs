@@ -1,13 +1,15 @@
 //! The fast interpreter of the E100L: the same semantics as the reference, written for speed.
 //!
 //! It shares with the reference only the vocabulary. A program is read block by block and never held as a
-//! whole; memory grows with the number of distinct sequence names alone. Coordinates are exact integers;
-//! what leaves the rationals is rounded for certain (module `exact`).
+//! whole; memory grows with the number of distinct sequence names alone, and a bounded number of parsed
+//! blocks is kept where blocks are run again (module `task`). Coordinates are exact integers; what leaves the
+//! rationals is rounded for certain (module `exact`).
 
 mod ahead;
 mod angle;
 mod arc;
 pub mod arithmetic;
+mod barriers;
 mod block;
 mod carry;
 mod chamfer;
@@ -32,29 +34,29 @@ pub mod planted;
 mod spindle;
 mod state;
 mod system;
+mod task;
 mod text;
 mod torque;
 mod variables;
 mod words;
 
-use turnspec_oracle::vocabulary::rule_ids::*;
 use turnspec_oracle::vocabulary::{
-    Action, Alarm, AlarmName, Ending, Event, Label, Place, Reading, ReadingSet, Readings, RuleSet, Setup,
-    Sink,
+    Action, Alarm, Ending, Event, Place, Reading, ReadingSet, Readings, RuleSet, Setup, Sink,
 };
 
 pub use exact::SlowPaths;
+pub use task::{Holder, Level, Local, Mode, Situation};
 
-use arithmetic::span::offset;
 use arithmetic::units::Units;
 use cite::CiteCache;
 use compensation::Compensation;
 use fault::Fault;
 use functions::Scales;
 use names::Names;
-use parse::{Options, Parser};
+use parse::Options;
 use planted::Bug;
 use state::State;
+use task::{Task, Turn};
 use text::Reader;
 use words::{Operand, Slot};
 
@@ -66,8 +68,8 @@ pub struct Interpreter<'a> {
     options: Options,
     known: Known,
     reader: Reader<'a>,
+    /// Sequence names of the main program, as long as it goes straight on.
     names: Names,
-    program: Label,
     /// Whether a block was read, so that a program name comes too late.
     begun: bool,
     /// Blocks that were read before their turn, at most two.
@@ -82,6 +84,7 @@ pub struct Interpreter<'a> {
     /// Whether the block in progress has a length word in inches.
     inch_block: bool,
     state: State,
+    task: Task<'a>,
     compensation: Compensation,
     ordinal: u64,
     ending: Option<Ending>,
@@ -99,6 +102,7 @@ struct Known {
     after_chamfer: ReadingSet,
     feed_length: ReadingSet,
     tool_offset: ReadingSet,
+    barrier_path: ReadingSet,
     clamp: ReadingSet,
 }
 
@@ -114,6 +118,7 @@ impl Known {
             after_chamfer: one(readings.incremental_after_chamfer),
             feed_length: one(readings.feed_length),
             tool_offset: one(readings.tool_offset),
+            barrier_path: one(readings.barrier_path),
             clamp: one(readings.speed_clamp),
         }
     }
@@ -131,7 +136,6 @@ impl<'a> Interpreter<'a> {
             known: Known::new(&setup.readings),
             reader: Reader::new(program, setup.tape.code),
             names: Names::default(),
-            program: Label::default(),
             begun: false,
             ahead: [Slot::default(), Slot::default()],
             ahead_count: 0,
@@ -140,6 +144,7 @@ impl<'a> Interpreter<'a> {
             fault_place: None,
             inch_block: false,
             state: State::new(setup),
+            task: Task::new(program, setup.limits.steps),
             compensation: Compensation::default(),
             ordinal: 0,
             ending: None,
@@ -188,80 +193,23 @@ impl<'a> Interpreter<'a> {
             self.ahead.swap(0, 1);
             self.ahead_count -= 1;
             self.place = slot.place;
+            self.count_passed(slot)?;
             if !planted::is(Bug::NextInchStale) {
                 self.inch_block = slot.parsed.has_length && self.units.inch;
             }
         } else {
-            let found = self.read(slot);
+            let found = self.read(slot, Turn::Now);
             self.place = slot.place;
             if !found? {
-                return Fault::raise(AlarmName::NoProgramEnd, PROG_02);
+                return Err(self.end_missing());
+            }
+            if let Some(control) = slot.parsed.control {
+                return self.carry_out_statement(&slot.parsed, control, sink).map(|()| None);
             }
             self.inch_block = slot.parsed.has_length && self.units.inch;
             self.evaluate(slot, sink)?;
         }
         self.carry_out(slot, sink)
-    }
-
-    /// Reads the next block that is not skipped; false at the end of the text. The place is set in any
-    /// case.
-    fn read(&mut self, slot: &mut Slot) -> Result<bool, Fault> {
-        let mut buffer = std::mem::take(&mut self.buffer);
-        let result = self.read_with(slot, &mut buffer);
-        self.buffer = buffer;
-        result
-    }
-
-    fn read_with(&mut self, slot: &mut Slot, buffer: &mut Vec<u8>) -> Result<bool, Fault> {
-        while let Some(lines) = self.reader.next_lines() {
-            slot.place = Place {
-                program: self.program,
-                sequence: Label::default(),
-                line: lines.line,
-                start: offset(lines.start),
-                end: offset(lines.end),
-            };
-            if self.reader.passes_over(lines)? {
-                continue;
-            }
-            let text = self.reader.characters(lines, buffer)?;
-            if lines.stray {
-                return Fault::raise(AlarmName::IllegalCharacter, FMT_08);
-            }
-            slot.parsed.clear();
-            let mut parser = Parser { text, at: 0, options: self.options, block: &mut slot.parsed };
-            let parsed = parser.parse();
-            slot.place.sequence = slot.parsed.sequence;
-            parsed?;
-            if let Some(name) = slot.parsed.program {
-                if self.begun {
-                    return Fault::raise(AlarmName::ProgramNameMisplaced, PROG_02);
-                }
-                self.begun = true;
-                self.program = name;
-                continue;
-            }
-            let sequence = slot.parsed.sequence;
-            let name = sequence.as_str().as_bytes().get(1..).unwrap_or_default();
-            let forgotten = planted::is(Bug::SkippedNameForgotten) && slot.parsed.skipped;
-            if !name.is_empty() && !forgotten && !self.names.insert(name) {
-                return Fault::raise(AlarmName::SequenceNameDuplicate, SEQ_03);
-            }
-            let blank = slot.parsed.items.is_empty() && name.is_empty();
-            self.begun |= !blank || slot.parsed.skipped;
-            if !blank && !slot.parsed.skipped {
-                return Ok(true);
-            }
-        }
-        let end = offset(self.reader.length());
-        slot.place = Place {
-            program: self.program,
-            sequence: Label::default(),
-            line: self.reader.last_line(),
-            start: end,
-            end,
-        };
-        Ok(false)
     }
 
     /// Hands an event of the block in progress to the sink.
@@ -300,9 +248,10 @@ pub fn run(program: &[u8], setup: &Setup, sink: &mut impl Sink) -> Ending {
 #[must_use]
 pub fn count_blocks(program: &[u8], setup: &Setup) -> u64 {
     let mut interpreter = Interpreter::new(program, setup);
+    interpreter.task = Task::new(program, u64::MAX);
     let mut slot = Slot::default();
     let mut blocks = 0;
-    while let Ok(true) = interpreter.read(&mut slot) {
+    while let Ok(true) = interpreter.read(&mut slot, Turn::Now) {
         blocks += 1;
     }
     blocks

@@ -146,6 +146,9 @@ impl Interpreter<'_> {
                 }
             }
         }
+        if self.state.watch.acts() && (x.is_some() || z.is_some()) {
+            self.check_barriers(kind, &end, &mut cites, &mut readings)?;
+        }
         if let Some(turn) = turn {
             end[C] = turn.machine;
         }

@@ -30,7 +30,7 @@ impl Names {
 
 /// A number of its own for every name of one to five characters: all digits, or a letter and
 /// alphanumerics.
-fn index(name: &[u8]) -> usize {
+pub fn index(name: &[u8]) -> usize {
     let digit = |byte: u8| usize::from(byte.wrapping_sub(b'0'));
     if name.first().is_none_or(u8::is_ascii_digit) {
         // Shorter numerals come first: 0 + 10 + 100 + ... of them.

@@ -1,7 +1,7 @@
 //! The grammar of a block, from left to right (execution, sections 2 and 3): the leftmost fault decides.
 
 use turnspec_oracle::vocabulary::rule_ids::*;
-use turnspec_oracle::vocabulary::{AlarmName, Label, Setup};
+use turnspec_oracle::vocabulary::{AlarmName, Label, RuleId, Setup};
 
 use super::fault::Fault;
 use super::planted::{self, Bug};
@@ -11,10 +11,11 @@ use super::words::{Operation, Parsed};
 /// What of the set-up the grammar depends on.
 #[derive(Clone, Copy, Debug)]
 pub struct Options {
-    block_delete: bool,
+    /// Whether marked blocks are skipped.
+    pub block_delete: bool,
     /// Whether W variables exist.
     pub w_axis: bool,
-    /// Whether boolean operators and functions are refused when evaluated.
+    /// Whether boolean operators, functions and calls are refused when evaluated.
     pub level_one: bool,
 }
 
@@ -29,7 +30,7 @@ impl Options {
     }
 }
 
-/// Statements, which are not modelled.
+/// The words that begin statements.
 pub const KEYWORDS: [&[u8]; 14] = [
     b"GOTO", b"IF", b"CALL", b"RTS", b"MODIN", b"MODOUT", b"READ", b"WRITE", b"GET", b"PUT", b"NOEX",
     b"PSELECT", b"VSET", b"END",
@@ -114,7 +115,7 @@ impl Parser<'_> {
         }
         let mut slash = self.take_slash()?;
         if self.peek() == Some(b'N') && self.run(self.at) != b"NOEX" {
-            self.sequence()?;
+            self.block.sequence = self.sequence_name(true)?;
             if !(slash && self.options.block_delete) {
                 self.skip_blanks()?;
                 if slash && self.peek() == Some(b'/') && !planted::is(Bug::SecondSlash) {
@@ -131,13 +132,20 @@ impl Parser<'_> {
             let rule = if slash { DEL_03 } else { NAME_03 };
             return Fault::raise(AlarmName::ProgramNameNotAlone, rule);
         }
-        let first = self.run(self.at);
-        if let Some(keyword) = KEYWORDS.iter().find(|keyword| **keyword == first) {
-            return Err(Fault::about(AlarmName::NotModelled, GCODE_03, Label::from_bytes(keyword)));
-        }
+        if self.statement()? { Ok(()) } else { self.items(None) }
+    }
+
+    /// Items up to the end of the block; words among them only without a rule that refuses them.
+    pub(super) fn items(&mut self, refusal: Option<RuleId>) -> Result<(), Fault> {
         while let Some(byte) = self.peek() {
             match class(byte) {
-                Class::Letter => self.item(byte)?,
+                Class::Letter => {
+                    self.item(byte)?;
+                    match refusal {
+                        Some(rule) => self.refuse_word(rule)?,
+                        None => self.refuse_later_word()?,
+                    }
+                }
                 Class::Ignored | Class::Tab | Class::Open => self.skip_blanks()?,
                 _ if byte == b'/' => return Fault::raise(AlarmName::SlashMisplaced, DEL_02),
                 _ => return Err(self.misplaced()),
@@ -164,6 +172,17 @@ impl Parser<'_> {
     }
 
     fn program_name(&mut self) -> Result<(), Fault> {
+        let label = self.name_of_program()?;
+        self.skip_blanks()?;
+        if self.peek().is_some() {
+            return Fault::raise(AlarmName::ProgramNameNotAlone, NAME_03);
+        }
+        self.block.program = Some(label);
+        Ok(())
+    }
+
+    /// The program name whose `O` or `:` stands here, with `O`.
+    pub(super) fn name_of_program(&mut self) -> Result<Label, Fault> {
         let name = self.run(self.at + 1);
         let length = name.len();
         let mut label = Label::new("O");
@@ -177,15 +196,11 @@ impl Parser<'_> {
         if reserved {
             return Fault::raise(AlarmName::ProgramNameReserved, NAME_02);
         }
-        self.skip_blanks()?;
-        if self.peek().is_some() {
-            return Fault::raise(AlarmName::ProgramNameNotAlone, NAME_03);
-        }
-        self.block.program = Some(label);
-        Ok(())
+        Ok(label)
     }
 
-    fn sequence(&mut self) -> Result<(), Fault> {
+    /// The sequence name whose `N` stands here, with `N`; a slash may delimit it or not.
+    pub(super) fn sequence_name(&mut self, slash: bool) -> Result<Label, Fault> {
         let start = self.at + 1;
         let run = self.run(start);
         let run_length = run.len();
@@ -200,14 +215,14 @@ impl Parser<'_> {
             return Fault::raise(AlarmName::SequenceNameMalformed, SEQ_01);
         }
         let delimited = match self.peek() {
-            None | Some(b'/') => true,
+            None => true,
+            Some(b'/') => slash,
             Some(byte) => matches!(class(byte), Class::Ignored | Class::Tab | Class::Open),
         };
         if !delimited {
             return Fault::raise(AlarmName::SequenceDelimiterMissing, SEQ_02);
         }
-        self.block.sequence = label;
-        Ok(())
+        Ok(label)
     }
 
     /// Appends an operation.
@@ -230,7 +245,7 @@ pub fn check_digits(written: u32, point: bool, feed: bool) -> Result<(), Fault> 
 }
 
 /// Whether a name is a numeral or begins with a letter, and is neither empty nor too long.
-fn is_name(name: &[u8], longest: usize) -> bool {
+pub fn is_name(name: &[u8], longest: usize) -> bool {
     let numeral = name.iter().all(u8::is_ascii_digit);
     let begins = name.first().is_some_and(|byte| byte.is_ascii_uppercase() || numeral);
     begins && name.len() <= longest

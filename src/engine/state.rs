@@ -5,6 +5,7 @@ use turnspec_oracle::vocabulary::{
 };
 
 use super::arithmetic::{frame, turn};
+use super::barriers::Watch;
 use super::planted::{self, Bug};
 
 /// Amounts of the four axes in nanometres and micro-degrees, X as a diameter; by [`super::system::Axis`].
@@ -52,7 +53,9 @@ pub struct State {
     pub positive_limits: [Option<i64>; 4],
     pub negative_limits: [Option<i64>; 4],
     pub droop: [i64; 3],
+    /// Chuck and tailstock data that a program can change.
     pub barriers: [i64; 8],
+    pub watch: Watch,
     pub pitch_errors: [[i64; 2]; 121],
     pub pitches: [i64; 2],
     pub common: Box<[f64; 201]>,
@@ -153,6 +156,7 @@ impl State {
                 b.centre_diameter.0,
                 b.workpiece_end.0,
             ],
+            watch: Watch::default(),
             pitch_errors: [[0; 2]; 121],
             pitches: [0; 2],
             common,

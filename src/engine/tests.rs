@@ -6,14 +6,14 @@ use turnspec_oracle::vocabulary::{Event, Setup};
 
 use super::run;
 
-fn trace(setup: &str, program: &str) -> Vec<Event> {
+pub fn trace(setup: &str, program: &str) -> Vec<Event> {
     let setup = Setup::from_toml(setup).unwrap_or_else(|error| panic!("{error}"));
     let mut events = Vec::new();
     run(program.as_bytes(), &setup, &mut |event: &Event| events.push(*event));
     events
 }
 
-fn expect(setup: &str, program: &str, expected: &str) {
+pub fn expect(setup: &str, program: &str, expected: &str) {
     let events = trace(setup, program);
     if let Err(reason) = Expectation::parse(expected).matches(&events) {
         let text: Vec<String> = events.iter().map(render).collect();

@@ -116,8 +116,19 @@ pub struct Lines {
     pub stray: bool,
 }
 
+/// A place between two blocks of a text.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub struct Mark {
+    /// Offset of the next byte.
+    pub at: usize,
+    /// Number of its line, from 1.
+    pub line: u32,
+    /// Whether the line before is one that cannot be continued.
+    pub closed: bool,
+}
+
 /// Cuts the text into lines and joins continuation lines.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Reader<'a> {
     bytes: &'a [u8],
     code: TapeCode,
@@ -131,6 +142,28 @@ impl<'a> Reader<'a> {
     /// A reader at the beginning of a text.
     pub fn new(bytes: &'a [u8], code: TapeCode) -> Self {
         Self { bytes, code, at: 0, line: 1, closed: false }
+    }
+
+    /// Where the next block begins.
+    #[inline]
+    pub fn at(&self) -> usize {
+        self.at
+    }
+
+    /// Where reading goes on.
+    pub fn mark(&self) -> Mark {
+        Mark { at: self.at, line: self.line, closed: self.closed }
+    }
+
+    /// Goes on elsewhere in the same text.
+    pub fn seek(&mut self, mark: Mark) {
+        Mark { at: self.at, line: self.line, closed: self.closed } = mark;
+    }
+
+    /// Goes on in another text of the same code.
+    pub fn turn_to(&mut self, bytes: &'a [u8], mark: Mark) {
+        self.bytes = bytes;
+        self.seek(mark);
     }
 
     /// Whether a byte is the end of block, parity aside.
@@ -220,13 +253,31 @@ impl<'a> Reader<'a> {
 
     /// Whether these lines are no block whatever they hold: a program start or the file header.
     pub fn passes_over(&self, lines: Lines) -> Result<bool, Fault> {
-        if lines.line == 1 && self.begins_with_dollar(0) {
+        if self.is_header(lines) {
             return self.check_header(lines).map(|()| true);
         }
-        Ok(self.closed && !lines.stray && self.is_program_start(lines.start, lines.end))
+        Ok(self.is_tape_mark(lines))
     }
 
-    /// The file header: it ends in `%`; schedule programs and subprograms are not modelled.
+    /// Whether the lines read last are no block, without any test of them.
+    pub fn is_no_block(&self, lines: Lines) -> bool {
+        self.is_header(lines) || self.is_tape_mark(lines)
+    }
+
+    fn is_header(&self, lines: Lines) -> bool {
+        lines.line == 1 && self.begins_with_dollar(0)
+    }
+
+    fn is_tape_mark(&self, lines: Lines) -> bool {
+        self.closed && !lines.stray && self.is_program_start(lines.start, lines.end)
+    }
+
+    /// The characters of a block whatever is wrong with them.
+    pub fn lenient(&self, lines: Lines) -> Lenient<'_> {
+        Lenient { reader: self, at: lines.start, end: lines.end, after_end: false }
+    }
+
+    /// The file header: it ends in `%`; a schedule program is not modelled, a subprogram no beginning.
     fn check_header(&self, lines: Lines) -> Result<(), Fault> {
         let raw = self.bytes.get(lines.start..lines.end).unwrap_or_default();
         let text: Option<Vec<u8>> = raw.iter().map(|byte| self.character(*byte)).collect();
@@ -241,9 +292,12 @@ impl<'a> Reader<'a> {
         if let (Some(extension), Some(_)) = (parts.next(), parts.next()) {
             let letters = extension.iter().take_while(|byte| byte.is_ascii_uppercase()).count();
             let extension = extension.get(..letters).unwrap_or_default();
-            if [b"SDF", b"SUB", b"SSB"].iter().any(|kind| kind.as_slice() == extension) {
-                return Err(Fault::about(AlarmName::NotModelled, PROG_01, Label::from_bytes(extension)));
-            }
+            let name = match extension {
+                b"SDF" => AlarmName::NotModelled,
+                b"SUB" | b"SSB" | b"MSB" => AlarmName::ProgramKind,
+                _ => return Ok(()),
+            };
+            return Err(Fault::about(name, PROG_01, Label::from_bytes(extension)));
         }
         Ok(())
     }
@@ -294,6 +348,34 @@ impl<'a> Reader<'a> {
             return Err(Fault::new(AlarmName::BlockTooLong, FMT_05));
         }
         Ok(())
+    }
+}
+
+/// Characters of a block one by one; a byte that the tape code does not know is one without function.
+pub struct Lenient<'r> {
+    reader: &'r Reader<'r>,
+    at: usize,
+    end: usize,
+    /// Whether the mark of a continuation line comes next, which acts as a blank.
+    after_end: bool,
+}
+
+impl Iterator for Lenient<'_> {
+    type Item = u8;
+
+    fn next(&mut self) -> Option<u8> {
+        while self.at < self.end {
+            let byte = *self.reader.bytes.get(self.at)?;
+            self.at += 1;
+            if self.reader.is_end_of_block(byte) {
+                self.after_end = true;
+            } else if std::mem::take(&mut self.after_end) {
+                return Some(b' ');
+            } else {
+                return Some(self.reader.character(byte).unwrap_or(0));
+            }
+        }
+        None
     }
 }
 

@@ -1,12 +1,17 @@
 //! The parts of a block after parsing, and its words after evaluation. All of it is reused from block to
 //! block.
 
+use std::ops::Deref;
+use std::sync::Arc;
+
 use turnspec_oracle::vocabulary::{Label, Place};
 
 use super::codes::{GGroup, g_group};
 use super::number::Number;
 use super::planted::{self, Bug};
 use super::system::SystemVariable;
+use super::task::{Control, LocalName};
+use super::text::Mark;
 
 macro_rules! addresses {
     ($($name:ident $text:literal),*) => {
@@ -130,6 +135,7 @@ pub enum Operation {
     Constant(Operand),
     Common(u8),
     System(SystemVariable),
+    Local(LocalName),
     Negate,
     Add,
     Subtract,
@@ -168,6 +174,18 @@ pub enum Item {
     Mnemonic,
     Common { number: u8, value: Code },
     System { variable: SystemVariable, suffix: Option<Code>, value: Code },
+    Local { name: LocalName, value: Code },
+}
+
+impl Item {
+    /// Its address, if it is a word or a mnemonic.
+    pub fn address(&self) -> Option<Address> {
+        match self {
+            Self::Word(address, _) => Some(*address),
+            Self::Mnemonic => Some(Address::Calrg),
+            Self::Common { .. } | Self::System { .. } | Self::Local { .. } => None,
+        }
+    }
 }
 
 /// A parsed block.
@@ -181,6 +199,10 @@ pub struct Parsed {
     pub sequence: Label,
     /// Program name with its `O`, if this is a program-name block.
     pub program: Option<Label>,
+    /// The statement, if it tells which block comes next.
+    pub control: Option<Control>,
+    /// Whether the block begins with NOEX.
+    pub noex: bool,
     /// Whether block delete skips it.
     pub skipped: bool,
     /// Whether it has a length word.
@@ -196,9 +218,21 @@ impl Parsed {
         self.operations.clear();
         self.sequence = Label::default();
         self.program = None;
+        self.control = None;
+        self.noex = false;
         self.skipped = false;
         self.has_length = false;
         self.has_assignment = false;
+    }
+
+    /// Whether it is no block: without any word, statement or name.
+    pub fn is_empty(&self) -> bool {
+        self.is_only_name() && self.sequence.is_empty() && self.control.is_none()
+    }
+
+    /// Whether nothing stands behind the sequence name, a statement that is not counted aside.
+    pub fn is_only_name(&self) -> bool {
+        self.items.is_empty() && !self.noex
     }
 
     /// Whether it has any item.
@@ -365,10 +399,53 @@ impl Words {
     }
 }
 
+/// The parts of a block: its own, made anew for each block, or those that are kept for blocks that are run
+/// again.
+#[derive(Debug, Default)]
+pub struct Parts {
+    own: Parsed,
+    kept: Option<Arc<Parsed>>,
+}
+
+impl Parts {
+    /// Makes room for the parts of the next block.
+    #[inline]
+    pub fn renew(&mut self) -> &mut Parsed {
+        self.kept = None;
+        self.own.clear();
+        &mut self.own
+    }
+
+    /// Takes over parts that are kept.
+    #[inline]
+    pub fn share(&mut self, kept: Arc<Parsed>) {
+        self.kept = Some(kept);
+    }
+
+    /// The parts, to be kept from now on.
+    pub fn keep(&mut self) -> Arc<Parsed> {
+        let own = &mut self.own;
+        self.kept.get_or_insert_with(|| Arc::new(std::mem::take(own))).clone()
+    }
+}
+
+impl Deref for Parts {
+    type Target = Parsed;
+
+    #[inline]
+    fn deref(&self) -> &Parsed {
+        self.kept.as_deref().unwrap_or(&self.own)
+    }
+}
+
 /// A block that was read: its place, its parts, its words.
 #[derive(Debug, Default)]
 pub struct Slot {
     pub place: Place,
-    pub parsed: Parsed,
+    pub parsed: Parts,
     pub words: Words,
+    /// Where reading began, if the block was read before its turn.
+    pub from: Mark,
+    /// How many blocks were read then, skipped and empty ones included.
+    pub passed: u64,
 }

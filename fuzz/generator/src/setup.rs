@@ -2,8 +2,8 @@
 
 use turnspec_oracle::vocabulary::{
     Angle, ArcOneCoordinate, AxisAmounts, BarrierPath, ChamferLeg, Chamfering, Duration, Feature, FeedLength,
-    Gear, InchConversion, IncrementalAfterChamfer, Length, Limit, Readings, Setup, Speed, SpeedClamp,
-    TapeCode, ToolOffset, ToolOffsetSign, UnitSystem,
+    Gear, InchConversion, IncrementalAfterChamfer, Length, Limit, PutReal, Readings, Setup, Speed,
+    SpeedClamp, TapeCode, ToolOffset, ToolOffsetSign, UnitSystem, UserAlarmC,
 };
 
 use crate::barriers::barriers;
@@ -182,6 +182,8 @@ fn readings(choices: &mut Choices<'_, '_>) -> Readings {
         feed_length: choices.pick(&[FeedLength::Radius, FeedLength::Diameter]),
         tool_offset: choices.pick(&[ToolOffsetSign::Added, ToolOffsetSign::Subtracted]),
         barrier_path: choices.pick(&[BarrierPath::Line, BarrierPath::Ends]),
+        put_real: choices.pick(&[PutReal::Fixed, PutReal::Shortest]),
+        user_alarm_c: choices.pick(&[UserAlarmC::Continues, UserAlarmC::Stops]),
         speed_clamp: choices.pick(&[SpeedClamp::Always, SpeedClamp::CuttingSpeed]),
     }
 }

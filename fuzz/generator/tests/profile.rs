@@ -321,6 +321,9 @@ fn foreign_event(event: &Event, features: &[Feature]) -> String {
             has(Feature::Variable) || has(Feature::SystemVariable) || has(Feature::LocalVariable)
         }
         Action::Call { .. } | Action::Return => has(Feature::Subprogram),
+        Action::Output { .. } => has(Feature::Communication),
+        Action::Message { .. } => has(Feature::UserAlarm),
+        Action::Select { .. } => has(Feature::Schedule),
         Action::Stop | Action::OptionalStop => has(Feature::OptionalStop),
         Action::Mode { .. } | Action::End { .. } | Action::Alarm(_) => true,
     };

@@ -1,6 +1,6 @@
 //! The trace of the oracle, and what of an event is its shape and what its coordinates.
 
-use turnspec_generator::Case;
+use turnspec_generator::{Case, decode};
 use turnspec_oracle::vocabulary::{Action, Event, Motion, Place};
 
 /// The trace of a case.
@@ -8,6 +8,14 @@ pub(crate) fn trace(case: &Case) -> Vec<Event> {
     let mut trace = Vec::new();
     turnspec_oracle::run(&case.program, &case.setup, &mut |event: &Event| trace.push(*event));
     trace
+}
+
+/// Whether no statement can lead elsewhere than to the next block, as far as its letters tell.
+pub(crate) fn is_straight(case: &Case) -> bool {
+    const STATEMENTS: [&[u8]; 4] = [b"GOTO", b"IF", b"CALL", b"MODIN"];
+    let text = decode(&case.program, case.setup.tape.code);
+    let has = |keyword: &[u8]| text.windows(keyword.len()).any(|window| window == keyword);
+    case.setup.macros.is_empty() && !case.setup.schedule && !STATEMENTS.iter().any(|keyword| has(keyword))
 }
 
 /// Its motion, if it is one.

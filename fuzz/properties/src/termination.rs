@@ -9,6 +9,7 @@ use turnspec_oracle::Run;
 use turnspec_oracle::vocabulary::{Action, Ending, Event, TapeCode};
 
 use crate::differential::show;
+use crate::shape::is_straight;
 use crate::{Verdict, require};
 
 /// The most events of a block, its assignments and alarm aside, by the order of its steps:
@@ -26,14 +27,20 @@ const BLOCK: usize = 28;
 
 /// The fewest characters of an assignment, `V1=1`. It emits `variable` and at most one `frame`.
 const ASSIGNMENT: usize = 4;
+/// The most characters of a block (E100L-FMT-05).
+const LONGEST: usize = 158;
+/// The most programs that a motion calls (E100L-MODIN-05).
+const MODAL_CALLS: usize = 8;
 
-/// A program runs to an end: a step reads at least one line or is the last one, so that there are at most two
-/// steps more than ends of block. A block of n characters emits at most 28 + 2⌊n/4⌋ events, and one more if
-/// it is an alarm. Events are numbered from 1 without a gap, their blocks follow the order of the text, `end`
-/// or `alarm` comes last and nowhere else, and a step after the end does nothing. All this of the oracle and
-/// of the engine, on a program of the generator and on the bytes as they are.
+/// A program runs to an end. Without control flow a step reads at least one line or is the last one, so that there are
+/// at most two steps more than ends of block; a block of n characters emits at most 28 + 2⌊n/4⌋ events, and one more if
+/// it is an alarm; and blocks follow the order of the text. With control flow a step takes at least one block, of which
+/// a run begins no more than `limits.steps`; a block has at most 158 characters, and at most eight programs of modal calls
+/// begin behind it. Events are numbered from 1 without a gap, `end` or `alarm` comes last and nowhere else, and a step
+/// after the end does nothing. All this of the oracle and of the engine, on a program of the generator and on the bytes
+/// as they are.
 ///
-/// Rules: E100L-PROG-02, E100L-MCODE-04, E100L-FMT-04, E100L-FMT-05, E100L-FMT-06, E100L-GCODE-04
+/// Rules: E100L-GOTO-03, E100L-PROG-02, E100L-MCODE-04, E100L-FMT-04, E100L-FMT-05, E100L-FMT-06, E100L-GCODE-04
 pub(crate) fn programs_end(input: &[u8]) -> Verdict {
     ends(&Case::from_raw(input))?;
     match Case::arbitrary(&mut Unstructured::new(input)) {
@@ -53,7 +60,8 @@ fn ends(case: &Case) -> Verdict {
 }
 
 fn bounded(case: &Case, mut step: impl FnMut(&mut Vec<Event>) -> Option<Ending>) -> Verdict {
-    let most = lines(case) + 2;
+    let straight = is_straight(case);
+    let most = lines(case) + 2 + if straight { 0 } else { case.setup.limits.steps };
     let mut events = Vec::new();
     let Some(ending) = (0..most).find_map(|_| step(&mut events)) else {
         return Err(format!("no end after {most} steps"));
@@ -64,30 +72,26 @@ fn bounded(case: &Case, mut step: impl FnMut(&mut Vec<Event>) -> Option<Ending>)
         "a step after the end does something".to_owned()
     })?;
     in_order(&events, ending)?;
-    few_a_block(&events)
+    if straight {
+        return along_the_text(&events).and_then(|()| few_a_block(&events));
+    }
+    let most = most * (BLOCK + 2 * (LONGEST / ASSIGNMENT) + MODAL_CALLS) as u64;
+    require(events.len() as u64 <= most, || format!("{} events, more than {most}", events.len()))
 }
 
 /// Ends of block in the text.
-fn lines(case: &Case) -> usize {
+fn lines(case: &Case) -> u64 {
     let end_of_block = |byte: &&u8| match case.setup.tape.code {
         TapeCode::Ascii => **byte == b'\n',
         TapeCode::Iso => **byte & 0x7F == b'\n',
         TapeCode::Eia => **byte == 0x80,
     };
-    case.program.iter().filter(end_of_block).count()
+    case.program.iter().filter(end_of_block).count() as u64
 }
 
 fn in_order(events: &[Event], ending: Ending) -> Verdict {
     for (event, ordinal) in events.iter().zip(1..) {
         require(event.n == ordinal, || format!("event {ordinal} has the number {}", event.n))?;
-    }
-    for pair in events.windows(2) {
-        if let [before, after] = pair {
-            require(
-                before.block.start <= after.block.start && before.block.line <= after.block.line,
-                || format!("event {} belongs to a block of before", after.n),
-            )?;
-        }
     }
     let ends = |event: &Event| match event.action {
         Action::End { .. } => Some(Ending::End),
@@ -98,6 +102,18 @@ fn in_order(events: &[Event], ending: Ending) -> Verdict {
     require(last == Some(ending), || "the last event is not the ending".to_owned())?;
     let early = events.iter().rev().skip(1).any(|event| ends(event).is_some());
     require(!early, || "an ending is not the last event".to_owned())
+}
+
+fn along_the_text(events: &[Event]) -> Verdict {
+    for pair in events.windows(2) {
+        if let [before, after] = pair {
+            require(
+                before.block.start <= after.block.start && before.block.line <= after.block.line,
+                || format!("event {} belongs to a block of before", after.n),
+            )?;
+        }
+    }
+    Ok(())
 }
 
 fn few_a_block(events: &[Event]) -> Verdict {

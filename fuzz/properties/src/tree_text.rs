@@ -1,7 +1,8 @@
 //! The plain text of a syntax tree: no superfluous brackets, one blank between items.
 
 use turnspec_oracle::syntax::{
-    Address, BinaryOperator, Body, Decimal, Expression, Function, Item, ItemKind, Value, Variable,
+    Address, BinaryOperator, Body, Callee, Condition, Decimal, Expression, Function, Item, ItemKind,
+    Statement, Value, Variable,
 };
 
 /// The text of a block of this sequence name and body, without end of block.
@@ -11,7 +12,31 @@ pub(crate) fn block(sequence: &str, body: &Body) -> String {
         Body::Empty => String::new(),
         Body::ProgramName(name) => name.to_string(),
         Body::Skipped => format!("{name}/"),
-        Body::Items(items) => name + &items.iter().map(item).collect::<Vec<_>>().join(" "),
+        Body::Items(items) => name + &joined(items),
+        Body::Noex(items) => format!("{name}NOEX {}", joined(items)),
+        Body::Statement(each) => name + &statement(each),
+    }
+}
+
+fn joined(items: &[Item]) -> String {
+    items.iter().map(item).collect::<Vec<_>>().join(" ")
+}
+
+fn statement(statement: &Statement) -> String {
+    let keyword = statement.label();
+    match statement {
+        Statement::Goto(name) => format!("{keyword} {name}"),
+        Statement::If(Condition::Value(value), name) => {
+            format!("{keyword}[{}]{name}", expression(value, Level::Or))
+        }
+        Statement::If(Condition::Registered(local), name) => format!("{keyword} {local} {name}"),
+        Statement::Call(Callee::Program(name), items) | Statement::Modin(Callee::Program(name), items) => {
+            format!("{keyword} {name} {}", joined(items))
+        }
+        Statement::Call(Callee::Code(_), items) | Statement::Modin(Callee::Code(_), items) => {
+            format!("{keyword} {}", joined(items))
+        }
+        Statement::Return | Statement::Modout => keyword.to_string(),
     }
 }
 
@@ -46,6 +71,7 @@ fn decimal(number: Decimal) -> String {
 fn variable(variable: &Variable) -> String {
     match variable {
         Variable::Common(number) => format!("V{number}"),
+        Variable::Local(name) => name.to_string(),
         Variable::System(system, None) => system.name.to_owned(),
         Variable::System(system, Some(suffix)) => {
             format!("{}[{}]", system.name, expression(suffix, Level::Or))

@@ -5,9 +5,11 @@ use super::ending::left_behind;
 use super::on::On;
 use super::start_up::imaginary_point;
 use super::stream::Stream;
+use crate::barrier;
 use crate::emission::Emission;
 use crate::fault::{Fault, Outcome, fail};
-use crate::frame::Amounts;
+use crate::frame::{Amounts, TravelLimit};
+use crate::integer::Limited;
 use crate::modal::Plan;
 use crate::path::{Element, Point, Shape, Tested, Way, carry_out};
 use crate::state::State;
@@ -33,9 +35,10 @@ pub fn cancel(
     stream.holding = false;
     stream.emissions.extend(dwell);
     let mut after = Compensation::LeftOver { axes };
-    for element in elements {
+    for (index, element) in elements.iter().enumerate() {
         let rules = if element.in_plane() { RuleSet::of(&[NRC_66]) } else { RuleSet::EMPTY };
-        after = uncompensated(after, element, rules, plan, stream, state)?;
+        // The first one was tested against the barriers before.
+        after = uncompensated(after, element, rules, index > 0, plan, stream, state)?;
     }
     Ok(after)
 }
@@ -52,21 +55,35 @@ fn check(element: &Element, state: &State) -> Outcome<()> {
         let target = state.frame.to_machine(Amounts { w: element.target.w, ..Amounts::default() });
         state.limits.w.clamp(target.w)?;
     }
-    Ok(())
+    // E100L-BARR-09: before the limits of X and Z are tested.
+    barrier::check(element, state.frame.program(), cut_back(element, state), state)
 }
 
-/// A motion without compensation; what is left over goes away with the first one of X or Z.
+/// Where the motion of a G40 block ends, cut back to the positive limits; what lies beyond a negative one stays.
+fn cut_back(element: &Element, state: &State) -> Amounts {
+    let wanted = state.frame.to_machine(element.programmed_end(state.frame.program()));
+    let within = |limit: &TravelLimit, place: i64| match limit.of(place) {
+        Limited::Positive(limit) => limit,
+        _ => place,
+    };
+    let (x, z) = (within(&state.limits.x, wanted.x), within(&state.limits.z, wanted.z));
+    state.frame.to_program(Amounts { x, z, ..wanted })
+}
+
+/// A motion without compensation; what is left over goes away with the first one of X or Z. `barriers`: they are
+/// tested now.
 pub fn uncompensated(
     before: Compensation,
     element: &Element,
     rules: RuleSet,
+    barriers: bool,
     plan: &Plan,
     stream: &mut Stream,
     state: &mut State,
 ) -> Outcome<Compensation> {
     let present = (state.frame.machine.x, state.frame.machine.z);
     let mut go = |from: Point, limits| {
-        carry_out(element, Way { from, limits }, plan, state).map(|event| event.rules(rules))
+        carry_out(element, Way { from, limits, barriers }, plan, state).map(|event| event.rules(rules))
     };
     let (event, after) = match before {
         Compensation::LeftOver { axes } if element.in_plane() => {

@@ -23,7 +23,7 @@ pub fn motion(
     state: &mut State,
 ) -> Outcome<On> {
     let from = state.frame.machine;
-    let way = Way { from: (from.x, from.z), limits: Tested::OutsidePlane };
+    let way = Way { from: (from.x, from.z), limits: Tested::OutsidePlane, barriers: true };
     let event = carry_out(element, way, plan, state)?;
     let event = event.rules(RuleSet::of(&[NRC_07])).rule_if(element.shape == Shape::Line, NRC_42);
     if !element.in_plane() {

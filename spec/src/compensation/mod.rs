@@ -164,7 +164,7 @@ fn without(
             Compensation::LeftOver { axes } => cancel::taken_away(axes, element, state)?,
             _ => RuleSet::EMPTY,
         };
-        before = cancel::uncompensated(before, element, rules, plan, stream, state)?;
+        before = cancel::uncompensated(before, element, rules, true, plan, stream, state)?;
     }
     Ok(before)
 }

@@ -42,7 +42,8 @@ pub fn begin(
         return fail(AlarmName::CompensationNotLinear, NRC_19);
     }
     let from = state.frame.machine;
-    let event = carry_out(element, Way { from: axes, limits: Tested::OutsidePlane }, plan, state)?;
+    let way = Way { from: axes, limits: Tested::OutsidePlane, barriers: true };
+    let event = carry_out(element, way, plan, state)?;
     let to = state.frame.machine;
     let event = event
         .rules(RuleSet::of(&[NRC_07, NRC_14]))

@@ -5,6 +5,7 @@ use super::check::Plan;
 use super::miscellaneous::{self, Timed, check_time};
 use super::reset::{mode, reset};
 use super::{feed, spindle, tool};
+use crate::barrier::Watch;
 use crate::controls::e100l::g_codes::{GCode, GGroup, g_code};
 use crate::emission::Emission;
 use crate::fault::Outcome;
@@ -39,6 +40,7 @@ pub fn before_motion(plan: &Plan, state: &mut State, emissions: &mut Vec<Emissio
         check_time(&Timed::T, state.is_active(124), state)?;
         emissions.extend(frame.map(|frame| of_inch_block(frame, plan, state)));
     }
+    let watch = Watch::in_force(state);
     for code in words.m.iter().filter(|code| !is_program_code(**code)) {
         // M124 itself is not checked, M125 still is.
         let in_force = state.is_active(124) && *code != 124;
@@ -48,6 +50,7 @@ pub fn before_motion(plan: &Plan, state: &mut State, emissions: &mut Vec<Emissio
             emissions.extend(turning_plane(state));
         }
     }
+    state.watch = watch.or(Watch::in_force(state));
     Ok(())
 }
 

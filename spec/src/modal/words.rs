@@ -261,13 +261,7 @@ fn add_m(given: &Given, words: &mut Words) -> Outcome<()> {
             return Err(Fault::about(AlarmName::StatementMisplaced, MACRO_02, detail.as_str()));
         }
         MCode::Later => {
-            // A barrier that is on would have to be watched.
-            let rule = match code {
-                21 => MCODE_09,
-                25 => MCODE_11,
-                _ => MTAB_01,
-            };
-            return Err(Fault::about(AlarmName::NotModelled, rule, Label::of_code(b'M', code).as_str()));
+            return Err(Fault::about(AlarmName::NotModelled, MTAB_01, Label::of_code(b'M', code).as_str()));
         }
         MCode::Unassigned => return fail(AlarmName::MCodeUnassigned, MTAB_01),
     }

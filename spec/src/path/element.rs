@@ -1,6 +1,7 @@
 //! Elements of the path: what every motion has in common.
 
 use super::plane::Point;
+use crate::barrier;
 use crate::controls::e100l::units;
 use crate::emission::Emission;
 use crate::fault::{Outcome, fail};
@@ -69,6 +70,16 @@ impl Element {
         self.axes.x || self.axes.z
     }
 
+    /// Where it ends in the plane, from a program position, before limits: an axis without a command stays.
+    pub fn programmed_end(&self, from: Amounts) -> Amounts {
+        let (axes, target) = (self.axes, self.target);
+        Amounts {
+            x: if axes.x { target.x } else { from.x },
+            z: if axes.z { target.z } else { from.z },
+            ..from
+        }
+    }
+
     /// E100L-ADDR-01: its target.
     pub fn check_range(&self, setup: &Setup) -> Outcome<()> {
         check_range(self.target, self.axes, setup)
@@ -87,6 +98,8 @@ pub struct Way {
     pub from: Point,
     /// Which limits are tested.
     pub limits: Tested,
+    /// Whether the barriers are tested; if not, they were before.
+    pub barriers: bool,
 }
 
 /// The travel limits that a motion is tested against.
@@ -134,8 +147,8 @@ pub fn coordinate_readings(plan: &Plan, setup: &Setup) -> ReadingSet {
     }
 }
 
-/// Moves the machine to a program position; the result tells whether a limit replaced a coordinate.
-fn go(element: &Element, tested: Tested, state: &mut State) -> Outcome<bool> {
+/// Where a motion leads the machine; the second value tells whether a limit replaced a coordinate.
+fn goal(element: &Element, tested: Tested, state: &State) -> Outcome<(Amounts, bool)> {
     let axes = element.axes;
     let wanted = state.frame.to_machine(element.target);
     let mut machine = state.frame.machine;
@@ -166,8 +179,7 @@ fn go(element: &Element, tested: Tested, state: &mut State) -> Outcome<bool> {
     if axes.c.is_some() {
         machine.c = wanted.c;
     }
-    state.frame.machine = machine;
-    Ok(replaced)
+    Ok((machine, replaced))
 }
 
 /// The present position as the end of a motion.
@@ -235,7 +247,11 @@ pub fn carry_out(element: &Element, way: Way, plan: &Plan, state: &mut State) ->
     }
     let feed = element.feed(state)?;
     let before = state.frame.machine;
-    let replaced = go(element, way.limits, state)?;
+    let (machine, replaced) = goal(element, way.limits, state)?;
+    if way.barriers {
+        barrier::check(element, state.frame.program(), state.frame.to_program(machine), state)?;
+    }
+    state.frame.machine = machine;
     if plan.moves {
         state.cut_last = feed.is_some();
     }
@@ -244,6 +260,7 @@ pub fn carry_out(element: &Element, way: Way, plan: &Plan, state: &mut State) ->
     let readings = element.readings.union(coordinate_readings(plan, state.setup));
     let from = Amounts { x: way.from.0, z: way.from.1, ..before };
     let event = event(element.shape, motion, feed, from, rules, state).readings(readings);
+    let event = barrier::tested(event, element, state);
     Ok(with_speed(event.rule_if(replaced, LIM_01), element.shape == Shape::Rapid, state))
 }
 

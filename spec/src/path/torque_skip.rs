@@ -129,7 +129,8 @@ fn feed_to(
     let element =
         Element { target, axes: axes(way.on_w), shape: Shape::Line, rules, readings: ReadingSet::default() };
     let from = (state.frame.machine.x, state.frame.machine.z);
-    let mut event = carry_out(&element, Travel { from, limits: Tested::Nothing }, plan, state)?;
+    let travel = Travel { from, limits: Tested::Nothing, barriers: true };
+    let mut event = carry_out(&element, travel, plan, state)?;
     if let (true, Action::Linear { feed, .. }) = (slow, &mut event.action) {
         feed.value = FeedRate(round_narrow(&ratio(feed.value.0, 5)));
     }

@@ -73,11 +73,17 @@ impl<'a> Reader<'a> {
             *place = Place { program: program.name, ..self.programs.texts().end(self.next) };
             return Err(end(program));
         };
-        self.step(Place { program: program.name, ..read.line.place }, place)?;
-        // E100L-RTS-01: of the block that the next program begins with nothing is checked.
-        if program.caller.is_some() && program.began && self.begins_program(&read) {
-            return Err(end(program));
+        let here = Place { program: program.name, ..read.line.place };
+        if program.began && self.begins_program(&read) {
+            *place = here;
+            // E100L-RTS-01: of the block that the next program begins with nothing is checked.
+            return if program.caller.is_some() {
+                Err(end(program))
+            } else {
+                self.block(read, program, place)
+            };
         }
+        self.step(here, place)?;
         self.block(read, program, place)
     }
 

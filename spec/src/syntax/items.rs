@@ -21,8 +21,18 @@ pub fn items(cursor: &mut Cursor, setup: &Setup) -> Outcome<Vec<Item>> {
     Ok(items)
 }
 
-/// The next item of the block.
+/// The next item of a block of items.
 pub fn next(cursor: &mut Cursor, setup: &Setup) -> Outcome<Option<Item>> {
+    let item = any(cursor, setup)?;
+    if let Some(Item { kind: ItemKind::Word(Address::Letter(letter @ (b'P' | b'Q')), _), span }) = &item {
+        let fault = Fault::about(AlarmName::NotModelled, ADDR_01, &char::from(*letter).to_string());
+        return Err(fault.at(span.clone()));
+    }
+    Ok(item)
+}
+
+/// The next item of any block, one that no block takes yet included.
+pub fn any(cursor: &mut Cursor, setup: &Setup) -> Outcome<Option<Item>> {
     cursor.skip_blanks()?;
     if cursor.peek().is_none() {
         return Ok(None);
@@ -109,9 +119,6 @@ fn word(cursor: &mut Cursor, address: Address, setup: &Setup) -> Outcome<ItemKin
             _ => Value::Number(plain_number(cursor, address)?),
         }
     };
-    if let Address::Letter(letter @ (b'P' | b'Q')) = address {
-        return Err(Fault::about(AlarmName::NotModelled, ADDR_01, &char::from(letter).to_string()));
-    }
     Ok(ItemKind::Word(address, value))
 }
 

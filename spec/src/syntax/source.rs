@@ -141,7 +141,7 @@ impl<'a> Source<'a> {
             Ok(kind @ "SDF") if text.contains(&b'.') => {
                 Err(Fault::about(AlarmName::NotModelled, PROG_01, kind))
             }
-            Ok(kind @ ("SUB" | "SSB")) if text.contains(&b'.') => {
+            Ok(kind @ ("SUB" | "SSB" | "MSB")) if text.contains(&b'.') => {
                 Err(Fault::about(AlarmName::ProgramKind, PROG_01, kind))
             }
             _ => Ok(()),

@@ -141,7 +141,7 @@ fn callee(cursor: &mut Cursor, rule: RuleId) -> Outcome<Callee> {
 /// Assignments to the end of the block.
 fn settings(cursor: &mut Cursor, setup: &Setup, rule: RuleId) -> Outcome<Vec<Item>> {
     let mut settings = Vec::new();
-    while let Some(item) = items::next(cursor, setup)? {
+    while let Some(item) = items::any(cursor, setup)? {
         let address = match &item.kind {
             ItemKind::Assignment(..) => {
                 settings.push(item);

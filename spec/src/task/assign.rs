@@ -2,7 +2,7 @@
 
 use super::evaluate;
 use super::locals::Registration;
-use super::memory::{droop_index, of_pair_mut};
+use super::memory::{barrier_datum_mut, droop_index, of_pair_mut};
 use super::number::Number;
 use super::read::suffix_value;
 use crate::controls::e100l::system_variables::{Axis, Quantity, SystemVariable};
@@ -143,11 +143,7 @@ fn store(quantity: Quantity, number: usize, increments: i64, state: &mut State) 
             }
             return Value::Integer(i32::try_from(increments).unwrap_or_default());
         }
-        Quantity::Barrier(index) => {
-            if let Some(entry) = state.memory.barriers.get_mut(usize::from(index)) {
-                *entry = amount;
-            }
-        }
+        Quantity::Barrier(datum) => *barrier_datum_mut(&mut state.memory.barriers, datum) = Length(amount),
         Quantity::PitchError(axis) => {
             if let Some(entry) = state.memory.pitch_errors.get_mut(number) {
                 *of_pair_mut(entry, axis) = amount;

@@ -1,8 +1,8 @@
 //! What variables hold besides the frame: common and local variables, and plain stores.
 
 use super::locals::Locals;
-use crate::controls::e100l::system_variables::Axis;
-use crate::vocabulary::{Length, Setup};
+use crate::controls::e100l::system_variables::{Axis, BarrierDatum};
+use crate::vocabulary::{Barriers, Length, Setup};
 
 /// The memory of a control.
 #[derive(Clone, Debug)]
@@ -12,8 +12,8 @@ pub struct Memory {
     pub locals: Locals,
     /// Nose radius amounts by number: X and Z, in nanometres.
     pub nose_radii: Vec<(i64, i64)>,
-    /// Barrier dimensions in the order of the set-up, in nanometres.
-    pub barriers: [i64; 8],
+    /// Barrier data: those of the machine, and those that the program can change (E100L-SVAR-08).
+    pub barriers: Barriers,
     /// Permissible droop of X, Z and C, in increments.
     pub droop: [u16; 3],
     /// Pitch error compensation by number: X and Z, in nanometres.
@@ -38,22 +38,11 @@ impl Memory {
                 *slot = (entry.x.0, entry.z.0);
             }
         }
-        let b = &setup.barriers;
-        let barriers = [
-            b.grip_length,
-            b.grip_height,
-            b.chuck_x,
-            b.chuck_z,
-            b.front_length,
-            b.front_diameter,
-            b.centre_diameter,
-            b.workpiece_end,
-        ];
         Self {
             common,
             locals: Locals::default(),
             nose_radii,
-            barriers: barriers.map(|Length(value)| value),
+            barriers: setup.barriers,
             droop: [setup.droop.x, setup.droop.z, setup.droop.c],
             pitch_errors: vec![(0, 0); 121],
             pitch: (0, 0),
@@ -91,5 +80,25 @@ pub fn droop_index(axis: Axis) -> usize {
         Axis::X => 0,
         Axis::Z => 1,
         Axis::C | Axis::W => 2,
+    }
+}
+
+/// A barrier datum, in nanometres.
+pub fn barrier_datum(barriers: &Barriers, datum: BarrierDatum) -> i64 {
+    let mut barriers = *barriers;
+    barrier_datum_mut(&mut barriers, datum).0
+}
+
+/// A barrier datum, to be set.
+pub fn barrier_datum_mut(barriers: &mut Barriers, datum: BarrierDatum) -> &mut Length {
+    match datum {
+        BarrierDatum::GripLength => &mut barriers.grip_length,
+        BarrierDatum::GripHeight => &mut barriers.grip_height,
+        BarrierDatum::ChuckX => &mut barriers.chuck_x,
+        BarrierDatum::ChuckZ => &mut barriers.chuck_z,
+        BarrierDatum::FrontLength => &mut barriers.front_length,
+        BarrierDatum::FrontDiameter => &mut barriers.front_diameter,
+        BarrierDatum::CentreDiameter => &mut barriers.centre_diameter,
+        BarrierDatum::WorkpieceEnd => &mut barriers.workpiece_end,
     }
 }

@@ -1,7 +1,7 @@
 //! Reading system variables (E100L-TYPE-13, E100L-SVAR-13, E100L-SVTAB-02 to -05).
 
 use super::evaluate;
-use super::memory::{droop_index, of_pair};
+use super::memory::{barrier_datum, droop_index, of_pair};
 use super::number::Number;
 use crate::controls::e100l::system_variables::{Axis, Quantity, SystemVariable};
 use crate::fault::{Outcome, fail};
@@ -35,7 +35,7 @@ pub fn system_variable(
         Quantity::Droop(axis) => {
             Number::Integer(i32::from(state.memory.droop.get(droop_index(axis)).copied().unwrap_or_default()))
         }
-        Quantity::Barrier(index) => length(entry(&state.memory.barriers, usize::from(index)), system),
+        Quantity::Barrier(datum) => length(barrier_datum(&state.memory.barriers, datum), system),
         Quantity::PitchError(axis) => {
             length(of_pair(entry(&state.memory.pitch_errors, number), axis), system)
         }

@@ -3,7 +3,8 @@
 use serde::{Deserialize, Serialize};
 
 use super::{
-    Alarm, Angle, CuttingSpeed, Duration, FeedRate, Label, Length, Place, ReadingSet, RuleSet, Speed,
+    Alarm, Angle, CuttingSpeed, Duration, EndCode, FeedRate, Label, Length, Place, ReadingSet, RuleSet,
+    Speed, Text,
 };
 
 /// Receives the events of a run in order.
@@ -158,13 +159,41 @@ pub enum Action {
     },
     /// A subprogram ends, and the program that it was called from goes on.
     Return,
+    /// Characters go to a device.
+    Output {
+        /// The device, such as `CN0`.
+        device: Label,
+        /// The characters.
+        text: Text,
+        /// The end code behind them.
+        end_code: EndCode,
+    },
+    /// An alarm that does not stop the program is displayed.
+    Message {
+        /// The control's number of the alarm.
+        number: u16,
+        /// The code that the program gave.
+        code: u16,
+        /// The comment.
+        text: Text,
+    },
+    /// A schedule program begins to run a main program.
+    Select {
+        /// Its file, with the device, such as `MD1:A.MIN`.
+        file: Label,
+        /// Its program name, with its `O`, if it has one.
+        #[serde(default, skip_serializing_if = "Label::is_empty")]
+        name: Label,
+        /// Which repetition it is, from 1.
+        repetition: u16,
+    },
     /// Program stop.
     Stop,
     /// Optional stop, with the switch on.
     OptionalStop,
     /// End of the program.
     End {
-        /// `M02` or `M30`.
+        /// `M02` or `M30`, and `END` of a schedule program.
         code: Label,
     },
     /// The control refuses to go on; always the last event.
@@ -360,4 +389,6 @@ pub enum Value {
     Length(Length),
     /// An angle.
     Angle(Angle),
+    /// Characters.
+    Text(Text),
 }

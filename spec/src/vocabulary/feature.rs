@@ -48,6 +48,8 @@ features! {
     Comment "comment"
     /// Coolant on and off.
     Coolant "coolant"
+    /// READ, WRITE, GET and PUT.
+    Communication "communication"
     /// GOTO and IF.
     ControlStatement "control-statement"
     /// G96.
@@ -66,6 +68,8 @@ features! {
     Incremental "incremental"
     /// Travel limits.
     Limits "limits"
+    /// Input and output variables.
+    InputOutput "input-output"
     /// Linear motion.
     Linear "linear"
     /// Local variables.
@@ -88,6 +92,8 @@ features! {
     Rounding "rounding"
     /// Sequence names.
     SequenceName "sequence-name"
+    /// Schedule programs.
+    Schedule "schedule"
     /// The main spindle.
     Spindle "spindle"
     /// CALL and RTS.
@@ -106,6 +112,8 @@ features! {
     Turret "turret"
     /// Unit systems other than 1 mm.
     Units "units"
+    /// User alarms and their comment.
+    UserAlarm "user-alarm"
     /// Common variables.
     Variable "variable"
     /// The W axis.

@@ -18,6 +18,7 @@ pub mod rule_ids;
 #[cfg(feature = "schema")]
 mod schema;
 mod setup;
+mod text;
 mod unit;
 
 pub use alarm::{Alarm, AlarmName};
@@ -30,12 +31,14 @@ pub use label::Label;
 pub use place::Place;
 pub use program_text::ProgramText;
 pub use reading::{
-    ArcOneCoordinate, BarrierPath, ChamferLeg, FeedLength, InchConversion, IncrementalAfterChamfer, Reading,
-    ReadingSet, Readings, SpeedClamp, ToolOffsetSign,
+    ArcOneCoordinate, BarrierPath, ChamferLeg, FeedLength, InchConversion, IncrementalAfterChamfer, PutReal,
+    Reading, ReadingSet, Readings, SpeedClamp, ToolOffsetSign, UserAlarmC,
 };
 pub use rule::{RuleId, RuleSet};
 pub use setup::{
-    AxisAmounts, Barriers, Chamfering, Control, Droop, Gear, Inputs, Limit, Limits, NoseRadius, Options,
-    Parameters, Setup, SetupError, SpindleSetup, StmCheck, Switches, Tape, TapeCode, ToolOffset, UnitSystem,
+    AxisAmounts, Barriers, Chamfering, Control, Droop, EndCode, Gear, Inputs, Limit, Limits, NoseRadius,
+    Options, Parameters, Setup, SetupError, SpindleSetup, StmCheck, Switches, Tape, TapeCode, ToolOffset,
+    UnitSystem,
 };
+pub use text::Text;
 pub use unit::{Angle, CuttingSpeed, Duration, FeedRate, Length, Speed};

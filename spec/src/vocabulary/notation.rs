@@ -83,6 +83,17 @@ pub fn fields(event: &Event) -> Vec<(&'static str, String)> {
             list.kind("call").add("name", name).add("cause", &cause)
         }
         Action::Return => list.kind("return"),
+        Action::Output { device, text, end_code } => {
+            list.kind("output").add("device", device).add("text", text).add("end_code", end_code)
+        }
+        Action::Message { number, code, text } => {
+            list.kind("message").add("number", number).add("code", code).add("text", text)
+        }
+        Action::Select { file, name, repetition } => list
+            .kind("select")
+            .add("file", file)
+            .add_some("name", (!name.is_empty()).then_some(name))
+            .add("repetition", repetition),
         Action::Stop => list.kind("stop"),
         Action::OptionalStop => list.kind("optional_stop"),
         Action::End { code } => list.kind("end").add("code", code),
@@ -103,6 +114,7 @@ pub fn value_text(value: &Value) -> String {
         Value::Integer(integer) => integer.to_string(),
         Value::Length(length) => length.to_string(),
         Value::Angle(angle) => angle.to_string(),
+        Value::Text(text) => text.to_string(),
     }
 }
 
@@ -248,8 +260,8 @@ fn mismatch(line: &str, event: &Event) -> Option<String> {
         };
         let fits = match key {
             "line" => event.block.line.to_string() == value,
-            "block" => event.block.sequence.as_str() == value,
-            "program" => event.block.program.as_str() == value,
+            "block" => absent_or(event.block.sequence.as_str(), value),
+            "program" => absent_or(event.block.program.as_str(), value),
             "rules" => {
                 value.split('+').all(|id| event.rules.as_slice().iter().any(|rule| rule.as_str() == id))
             }
@@ -265,10 +277,15 @@ fn mismatch(line: &str, event: &Event) -> Option<String> {
     })
 }
 
+/// Whether a name is the expected one; `-` stands for none.
+fn absent_or(name: &str, value: &str) -> bool {
+    name == value || name.is_empty() && value == "-"
+}
+
 #[cfg(test)]
 mod tests {
     use super::{Expectation, render};
-    use crate::vocabulary::{Action, Event, Place, Reading, ReadingSet, RuleSet};
+    use crate::vocabulary::{Action, Event, Label, Place, Reading, ReadingSet, RuleSet};
 
     #[test]
     fn readings_are_written_where_there_are_any() {
@@ -278,6 +295,15 @@ mod tests {
         let readings = none.with(Reading::ALL[0]);
         let expected = format!("stop line=0 rules= readings={}", Reading::ALL[0].as_str());
         assert_eq!(render(&Event { readings, ..event }), expected);
+    }
+
+    #[test]
+    fn a_name_that_is_not_there_is_a_dash() {
+        let (block, rules, readings) = (Place::default(), RuleSet::EMPTY, ReadingSet::default());
+        let event = Event { n: 1, block, rules, readings, action: Action::Stop };
+        assert!(Expectation::parse("stop block=- program=-").matches(&[event]).is_ok());
+        let block = Place { sequence: Label::new("N1"), ..block };
+        assert!(Expectation::parse("stop block=-").matches(&[Event { block, ..event }]).is_err());
     }
 
     #[test]

@@ -95,6 +95,20 @@ readings! {
         /// Its end alone.
         Ends "ends"
     }
+    /// E100L-GPUT-07: the decimals with which PUT writes a dimensional system variable.
+    put_real: PutReal {
+        /// All decimals of the increment.
+        #[default] Fixed "fixed",
+        /// Without zeros at the end.
+        Shortest "shortest"
+    }
+    /// E100L-VUACM-02: what a user alarm C does.
+    user_alarm_c: UserAlarmC {
+        /// It is displayed and the program goes on.
+        #[default] Continues "continues",
+        /// It stops the program.
+        Stops "stops"
+    }
     /// E100L-SMAX-02: where the clamp of `G50 S` acts.
     speed_clamp: SpeedClamp {
         /// On every spindle speed.

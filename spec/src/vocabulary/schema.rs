@@ -6,6 +6,7 @@ use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 
 use super::{
     Angle, CuttingSpeed, Duration, FeedRate, Label, Length, ProgramText, Reading, ReadingSet, RuleSet, Speed,
+    Text,
 };
 
 macro_rules! decimal_schema {
@@ -44,6 +45,19 @@ impl JsonSchema for Label {
 
     fn json_schema(_: &mut SchemaGenerator) -> Schema {
         json_schema!({ "type": "string", "maxLength": 23 })
+    }
+}
+
+impl JsonSchema for Text {
+    fn schema_name() -> Cow<'static, str> {
+        "Text".into()
+    }
+
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        json_schema!({
+            "description": "Characters: the codes 21 to 7E but the backslash plain, every other code as \\xHH",
+            "type": "string"
+        })
     }
 }
 

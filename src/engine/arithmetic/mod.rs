@@ -18,6 +18,8 @@ pub mod round;
 pub mod scale;
 pub mod span;
 pub mod speed;
+pub mod surd;
 pub mod tool;
 pub mod turn;
 pub mod units;
+pub mod wide;

@@ -1,5 +1,5 @@
 //! Points of the turning plane and the exact signs of their geometry (E100L-CIRC-08, E100L-CIRC-11,
-//! E100L-CIRC-16, E100L-CHAM-08, E100L-ANG-03, E100L-NRC-02, E100L-NRC-26).
+//! E100L-CIRC-16, E100L-CHAM-08, E100L-ANG-03, E100L-NRC-02, E100L-NRC-26, E100L-BARR-09).
 //!
 //! Points are latched coordinates of at most 2^56 in size: words reach 2^37, and lines meet no further than their
 //! smallest angle allows. Directions are in half nanometres, twice Z and the diameter X, at most 2^58 in size;

@@ -84,6 +84,14 @@ impl Interpreter<'_> {
         Ok(())
     }
 
+    /// A statement that is not counted is done (E100L-CTL-01).
+    pub(in crate::engine) fn finish_statement(&mut self, sink: &mut impl Sink) {
+        if self.compensation.waiting.is_none() {
+            self.release(sink);
+            self.compensation.holding = false;
+        }
+    }
+
     fn count_idle_block(&mut self, sink: &mut impl Sink) -> Result<(), Fault> {
         let waits = self.compensation.waiting.is_some();
         self.compensation.idle_blocks = self.compensation.idle_blocks.more(waits);

@@ -5,6 +5,7 @@
 //! At most two blocks without X/Z motion follow a motion that waits, so that little is held.
 
 mod arcs;
+mod barriers;
 mod blocks;
 mod check;
 mod contour;

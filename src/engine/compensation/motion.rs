@@ -51,7 +51,8 @@ impl Interpreter<'_> {
         if let Some(turn) = turn {
             end[C] = turn.machine;
         }
-        let element = Element { cites, ..element };
+        let mut element = Element { cites, ..element };
+        self.check_barriers_first(&mut element, end)?;
         let travel = (feed, turn.map(|turn| turn.travel));
         match self.compensation.phase {
             Phase::Starting => self.start_up(&element, travel, end),
@@ -175,10 +176,11 @@ impl Interpreter<'_> {
         sink: &mut impl Sink,
     ) -> Result<(), Fault> {
         let moves = element.moves_plane();
+        let tested = self.compensation.barriers_come_first();
         if self.compensation.phase == Phase::Ending {
             self.cancel(moves, sink)?;
         }
-        let mut cites = element.cites;
+        let (mut cites, mut readings) = (element.cites, self.readings_of(element));
         let before = self.compensation.displacement;
         if moves {
             let is_arc = matches!(element.kind, Kind::Arc { .. });
@@ -186,6 +188,9 @@ impl Interpreter<'_> {
                 if self.limit(axis, &mut end[axis], is_arc)? {
                     cites = cites.and(cite::LIM_01);
                 }
+            }
+            if self.state.watch.acts() && !tested {
+                self.check_barriers(element.kind, &end, &mut cites, &mut readings)?;
             }
             let kept = planted::is(Bug::LeftOverAxis) && element.x.is_none();
             self.compensation.displacement = Point { x: if kept { before.x } else { 0 }, z: 0 };
@@ -199,7 +204,6 @@ impl Interpreter<'_> {
         let mut start = self.arrive(element, feed, end);
         displace(&mut start, before);
         displace(&mut end, self.compensation.displacement);
-        let mut readings = self.readings_of(element);
         let mut motion = self.motion_here(turn);
         motion.machine.x = Length(end[X]);
         motion.machine.z = Length(end[Z]);

@@ -6,6 +6,7 @@
 use dashu_int::IBig;
 
 use super::{Big, Real, SlowPaths};
+use crate::engine::arithmetic::wide::product;
 
 /// Digits after the point.
 const DIGITS: u32 = 124;
@@ -20,20 +21,9 @@ const RADIANS_PER_MICRODEGREE: u128 = 0x4af6_191b_06fb_b572_e602_c403_e89d_8ef8;
 /// 180/π in units of 2^-118.
 const DEGREES_PER_RADIAN: u128 = 0x0e52_ee0d_31e0_fbdc_30a9_7537_f40d_257d;
 
-/// The product of two numbers as high and low half.
-fn wide_product(a: u128, b: u128) -> (u128, u128) {
-    const LOW: u128 = u64::MAX as u128;
-    let (a_high, a_low, b_high, b_low) = (a >> 64, a & LOW, b >> 64, b & LOW);
-    let low = a_low * b_low;
-    let (middle_a, middle_b) = (a_high * b_low, a_low * b_high);
-    let middle = (low >> 64) + (middle_a & LOW) + (middle_b & LOW);
-    let high = a_high * b_high + (middle_a >> 64) + (middle_b >> 64) + (middle >> 64);
-    (high, (low & LOW) | (middle << 64))
-}
-
 /// `(a * b) >> shift`, cut; the result must fit.
 fn product_shifted(a: u128, b: u128, shift: u32) -> u128 {
-    let (high, low) = wide_product(a, b);
+    let (high, low) = product(a, b);
     match shift {
         0 => low,
         1..=127 => (high << (128 - shift)) | (low >> shift),

@@ -75,7 +75,7 @@ pub enum MCode {
 /// Looks an M code up.
 pub fn m_code(code: u16) -> MCode {
     match code {
-        21 | 25 | 100 => MCode::Later,
+        100 => MCode::Later,
         321..=325 | 341..=360 => MCode::Macro,
         0..=6 | 8 | 9 | 12..=30 | 32..=44 | 48..=51 | 54..=56 | 58..=70 | 72..=81 | 83..=99 => {
             MCode::Modelled
@@ -90,9 +90,9 @@ pub fn m_code(code: u16) -> MCode {
 pub fn aux_rules(code: u16) -> &'static [RuleId] {
     match code {
         15 | 16 => &[MCODE_07, CAX_05],
-        20 => &[MCODE_09],
+        20 | 21 => &[MCODE_09],
         22 | 23 => &[MCODE_10],
-        24 => &[MCODE_11],
+        24 | 25 => &[MCODE_11],
         26 | 27 => &[MCODE_12],
         32..=34 => &[MCODE_13],
         48 | 49 => &[MCODE_15],

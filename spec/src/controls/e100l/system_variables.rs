@@ -16,6 +16,27 @@ pub enum Axis {
     W,
 }
 
+/// A barrier datum that the program can change.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum BarrierDatum {
+    /// L1 of the chuck.
+    GripLength,
+    /// D1 of the chuck.
+    GripHeight,
+    /// CX.
+    ChuckX,
+    /// CZ.
+    ChuckZ,
+    /// L2 of the tailstock.
+    FrontLength,
+    /// D2 of the tailstock.
+    FrontDiameter,
+    /// D3 of the tailstock.
+    CentreDiameter,
+    /// WR.
+    WorkpieceEnd,
+}
+
 /// What a modelled system variable holds.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Quantity {
@@ -33,8 +54,8 @@ pub enum Quantity {
     NegativeLimit(Axis),
     /// Permissible droop.
     Droop(Axis),
-    /// One of the barrier dimensions, by its place in the set-up.
-    Barrier(u8),
+    /// One of the barrier data.
+    Barrier(BarrierDatum),
     /// Pitch error compensation, by number (a plain store).
     PitchError(Axis),
     /// Pitch of the pitch error compensation (a plain store).
@@ -129,14 +150,14 @@ pub const MODELLED: &[SystemVariable] = &[
     written("VINPX", Quantity::Droop(Axis::X), SVAR_09, (0, 1000)),
     written("VINPZ", Quantity::Droop(Axis::Z), SVAR_09, (0, 1000)),
     written("VINPC", Quantity::Droop(Axis::C), SVAR_09, (0, 1000)),
-    written("VCHKL", Quantity::Barrier(0), SVAR_08, SIZE),
-    written("VCHKD", Quantity::Barrier(1), SVAR_08, SIZE),
-    written("VCHKX", Quantity::Barrier(2), SVAR_08, PLACE),
-    written("VCHKZ", Quantity::Barrier(3), SVAR_08, PLACE),
-    written("VTSL", Quantity::Barrier(4), SVAR_08, SIZE),
-    written("VTSDA", Quantity::Barrier(5), SVAR_08, SIZE),
-    written("VTSDB", Quantity::Barrier(6), SVAR_08, SIZE),
-    written("VWKR", Quantity::Barrier(7), SVAR_08, PLACE),
+    written("VCHKL", Quantity::Barrier(BarrierDatum::GripLength), SVAR_08, SIZE),
+    written("VCHKD", Quantity::Barrier(BarrierDatum::GripHeight), SVAR_08, SIZE),
+    written("VCHKX", Quantity::Barrier(BarrierDatum::ChuckX), SVAR_08, PLACE),
+    written("VCHKZ", Quantity::Barrier(BarrierDatum::ChuckZ), SVAR_08, PLACE),
+    written("VTSL", Quantity::Barrier(BarrierDatum::FrontLength), SVAR_08, SIZE),
+    written("VTSDA", Quantity::Barrier(BarrierDatum::FrontDiameter), SVAR_08, SIZE),
+    written("VTSDB", Quantity::Barrier(BarrierDatum::CentreDiameter), SVAR_08, SIZE),
+    written("VWKR", Quantity::Barrier(BarrierDatum::WorkpieceEnd), SVAR_08, PLACE),
     written("VPFVX", Quantity::PitchError(Axis::X), SVAR_10, (-999, 999)),
     written("VPFVZ", Quantity::PitchError(Axis::Z), SVAR_10, (-999, 999)),
     written("VPCHX", Quantity::Pitch(Axis::X), SVAR_10, (2_000, 65_000)),

@@ -61,6 +61,12 @@ table! {
         spindle: SpindleSetup = SpindleSetup::default(),
         /// Time-over check of S, T and M functions.
         stm: StmCheck = StmCheck::default(),
+        /// Whether the program is a schedule program even without a header that says so.
+        schedule: bool = false,
+        /// What the devices `CN0` to `CN9` send, one text a transmission, one character a byte.
+        devices: BTreeMap<String, Vec<ProgramText>> = BTreeMap::new(),
+        /// Initial values of the tool interference data, such as `VTLL[3]`, in millimetres, degrees or as a number.
+        system_variables: BTreeMap<String, Length> = BTreeMap::new(),
         /// What the machine reports while the program runs.
         inputs: Inputs = Inputs::default(),
         /// Initial values of common variables, by name (`V1` to `V200`).
@@ -124,10 +130,33 @@ table! {
         chamfering: Chamfering = Chamfering::AnyAngle,
         /// How many called programs may be active at a time, 1 to 126.
         call_depth: u8 = 8,
+        /// (RS232C) what ends a transmission: stop bit check 1 or 0.
+        end_code: EndCode = EndCode::Percent,
         /// (OTHER FUNCTION 2) upper limit of the torque of G29, percent, 1 to 100.
         torque_limit_upper: u8 = 100,
         /// (OTHER FUNCTION 2) torque monitoring delay of G22 in units of 10 ms, 0 to 9999.
         torque_monitor_delay: u16 = 0,
+    }
+}
+
+/// What ends a transmission.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub enum EndCode {
+    /// The character `%`.
+    #[serde(rename = "%")]
+    Percent,
+    /// NUL.
+    #[serde(rename = "null")]
+    Null,
+}
+
+impl fmt::Display for EndCode {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Percent => "%",
+            Self::Null => "null",
+        })
     }
 }
 
@@ -155,6 +184,10 @@ table! {
         w_axis: bool = false,
         /// User Task level, 1 or 2.
         user_task: u8 = 2,
+        /// Number of tools with interference data: 12, 20 or 96.
+        tools: u8 = 12,
+        /// Number of tool groups with interference data: 12, 20 or 24.
+        tool_groups: u8 = 12,
     }
 }
 
@@ -354,6 +387,12 @@ table! {
         turret_clamp_confirmed: bool = true,
         /// Whether a sequence restart is in progress (VRSTT).
         restart: bool = false,
+        /// Values of input variables VDIN, one a reading, the last one for all that follow; by number.
+        vdin: BTreeMap<u16, Vec<i32>> = BTreeMap::new(),
+        /// Values of input bits VIRD likewise; by I/O bit address.
+        vird: BTreeMap<u16, Vec<u8>> = BTreeMap::new(),
+        /// Values of output bits VORD likewise; by I/O bit address.
+        vord: BTreeMap<u16, Vec<u8>> = BTreeMap::new(),
     }
 }
 

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use super::{AxisAmounts, Barriers, Setup, SetupError, SpindleSetup, StmCheck};
+use super::{AxisAmounts, Barriers, Options, Setup, SetupError, SpindleSetup, StmCheck};
 use crate::vocabulary::Length;
 
 type Checked = Result<(), SetupError>;
@@ -32,7 +32,10 @@ impl Setup {
         }
         self.variables()?;
         self.macros()?;
-        self.library()
+        self.library()?;
+        self.devices()?;
+        self.system_variables()?;
+        self.inputs()
     }
 
     fn options(&self) -> Checked {
@@ -42,6 +45,12 @@ impl Setup {
         })?;
         require([1, 2].contains(&options.user_task), || {
             format!("options.user_task is {}, must be 1 or 2", options.user_task)
+        })?;
+        require([12, 20, 96].contains(&options.tools), || {
+            format!("options.tools is {}, must be 12, 20 or 96", options.tools)
+        })?;
+        require([12, 20, 24].contains(&options.tool_groups), || {
+            format!("options.tool_groups is {}, must be 12, 20 or 24", options.tool_groups)
         })
     }
 
@@ -85,11 +94,62 @@ impl Setup {
         for (name, text) in &self.library {
             require(is_file_name(name), || {
                 format!(
-                    "library: {name:?} is no file name: a letter, at most 15 more letters, digits or hyphens, and \
-                     .SUB, .SSB, .MSB or .MIN"
+                    "library: {name:?} is no file name: a letter, at most 15 more letters, digits or hyphens, a point \
+                     and three letters or digits"
                 )
             })?;
             require(u32::try_from(text.0.len()).is_ok(), || format!("library: {name} holds 4 GiB or more"))?;
+        }
+        Ok(())
+    }
+
+    fn devices(&self) -> Checked {
+        let known = |name: &str| matches!(name.as_bytes(), [b'C', b'N', b'0'..=b'9']);
+        match self.devices.keys().find(|name| !known(name)) {
+            Some(name) => fault(format!("devices: {name:?} is not one of CN0 to CN9")),
+            None => Ok(()),
+        }
+    }
+
+    /// E100L-SVAR-14: a name with a suffix, and zero or a value in its range.
+    fn system_variables(&self) -> Checked {
+        for (name, value) in &self.system_variables {
+            let Some((variable, number)) = suffixed(name) else {
+                return fault(format!("system_variables: {name:?} is no variable with a number in brackets"));
+            };
+            let Some((largest, (low, high), whole)) = interference_data(variable, &self.options) else {
+                return fault(format!("system_variables: {variable:?} is no tool interference data"));
+            };
+            require((1..=largest).contains(&number), || {
+                format!("system_variables: {name} is outside 1 to {largest}")
+            })?;
+            let fits = value.0 == 0 || (low..=high).contains(&value.0);
+            let step = if whole { 1_000_000 } else { 1000 };
+            require(fits && value.0 % step == 0, || format!("system_variables: {name} cannot be {value}"))?;
+        }
+        Ok(())
+    }
+
+    /// E100L-IOV-01, E100L-IORD-01: numbers of inputs, and lists of values that they can have.
+    fn inputs(&self) -> Checked {
+        for (number, values) in &self.inputs.vdin {
+            let highest = match number {
+                1..=8 | 11..=18 | 21..=24 | 31..=38 => 1,
+                10 => 31,
+                1000..=1004 => i32::MAX,
+                1235..=1250 => 255,
+                _ => return fault(format!("inputs.vdin: {number} is no number of an input")),
+            };
+            let fits = !values.is_empty() && values.iter().all(|value| (0..=highest).contains(value));
+            require(fits, || format!("inputs.vdin.{number}: must be a list of 0 to {highest}, not empty"))?;
+        }
+        for (name, bits) in [("vird", &self.inputs.vird), ("vord", &self.inputs.vord)] {
+            for (address, values) in bits {
+                let fits = *address <= 9999 && !values.is_empty() && values.iter().all(|value| *value <= 1);
+                require(fits, || {
+                    format!("inputs.{name}.{address}: must be a list of 0 and 1, not empty, for 0 to 9999")
+                })?;
+            }
         }
         Ok(())
     }
@@ -139,6 +199,36 @@ fn require(holds: bool, message: impl Fn() -> String) -> Checked {
     if holds { Ok(()) } else { fault(message()) }
 }
 
+/// Name and number of `VTLL[3]`.
+fn suffixed(text: &str) -> Option<(&str, u8)> {
+    let (name, number) = text.strip_suffix(']')?.split_once('[')?;
+    let digits = number.bytes().all(|byte| byte.is_ascii_digit()) && !number.starts_with('0');
+    number.parse().ok().filter(|_| digits).map(|number| (name, number))
+}
+
+/// The largest suffix of tool interference data, the range in millionths, and whether it is a whole number
+/// (E100L-SVAR-14).
+fn interference_data(name: &str, options: &Options) -> Option<(u8, (i64, i64), bool)> {
+    let (kind, number) = match (name.strip_prefix("VTL"), name.strip_prefix("VGR"), name.strip_prefix("VTI"))
+    {
+        (Some(kind), ..) => (kind, options.tools),
+        (_, Some(kind), _) => (kind, options.tool_groups),
+        (.., Some("ZN" | "ZP" | "XN" | "XP")) => ("L", options.tools),
+        (.., Some("PN")) => ("PN", options.tools),
+        _ => return None,
+    };
+    let (low, high, whole) = match kind {
+        "IN" => (1_000_000, 38_000_000, true),
+        "FN" => (0, 4_000_000, true),
+        "PN" if name.starts_with("VTI") => (0, 2_000_000, true),
+        "A1" => (0, 360_000_000, false),
+        "A2" => (-360_000_000, 360_000_000, false),
+        "L" | "D" | "W" => (0, 9_999_999_000, false),
+        _ => return None,
+    };
+    Some((number, (low, high), whole))
+}
+
 /// `O` and one to four letters and digits, digits only behind a digit.
 fn is_program_name(name: &str) -> bool {
     let Some(run) = name.strip_prefix('O') else { return false };
@@ -155,7 +245,8 @@ fn is_file_name(name: &str) -> bool {
     stem.starts_with(|first: char| first.is_ascii_uppercase())
         && stem.len() <= 16
         && stem.bytes().all(fits)
-        && ["SUB", "SSB", "MSB", "MIN"].contains(&extension)
+        && extension.len() == 3
+        && extension.bytes().all(|byte| fits(byte) && byte != b'-')
 }
 
 fn within(value: Length, limit: i64) -> bool {

@@ -1,0 +1,52 @@
+//! The areas of chuck and tailstock from their data (E100L-BARR-02, E100L-BARR-03). Sizes are below 2^34,
+//! positions at most that; no sum of theirs comes near 2^63.
+
+use turnspec_oracle::vocabulary::Barriers;
+
+use super::rectangle::Rectangle;
+
+/// The data that a program can change, as [`crate::engine::system::SystemVariable::Barrier`] numbers them.
+type Variables = [i64; 8];
+
+/// The jaw and its gripping part, each with its image beyond the axis.
+pub fn chuck(machine: &Barriers, variables: &Variables) -> [Option<Rectangle>; 4] {
+    let [grip_length, grip_height, diameter, front, ..] = *variables;
+    let (length, height) = (machine.jaw_length.0, machine.jaw_height.0);
+    let diameter = diameter.abs();
+    let rear = front - length.max(grip_length);
+    let [grip, image] = match grip_length > 0 {
+        true => both_sides((rear, front), diameter, grip_height),
+        false => [None; 2],
+    };
+    let [jaw, jaw_image] = match length > grip_length {
+        true => both_sides((front - length, front - grip_length), diameter, height),
+        false => [None; 2],
+    };
+    [grip, image, jaw, jaw_image]
+}
+
+/// A part that stands outwards from a diameter, and its image with X negative; from the axis both are one.
+fn both_sides(z: (i64, i64), diameter: i64, height: i64) -> [Option<Rectangle>; 2] {
+    let outside = diameter + 2 * height;
+    match (height, diameter) {
+        (0, _) => [None; 2],
+        (_, 0) => [Some(Rectangle { z, x: (-outside, outside) }), None],
+        _ => [(diameter, outside), (-outside, -diameter)].map(|x| Some(Rectangle { z, x })),
+    }
+}
+
+/// The three steps, each as far as the rear end.
+pub fn tailstock(machine: &Barriers, variables: &Variables) -> [Option<Rectangle>; 3] {
+    let [.., front_length, front_diameter, centre_diameter, begin] = *variables;
+    let middle = begin + front_length;
+    let rear = middle + machine.middle_length.0;
+    let end = rear + machine.rear_length.0;
+    let step = |begin: i64, length: i64, diameter: i64| {
+        (length > 0 && diameter > 0).then_some(Rectangle { z: (begin, end), x: (-diameter, diameter) })
+    };
+    [
+        step(begin, front_length, front_diameter.max(centre_diameter)),
+        step(middle, machine.middle_length.0, machine.middle_diameter.0),
+        step(rear, machine.rear_length.0, machine.rear_diameter.0),
+    ]
+}

@@ -1,0 +1,103 @@
+//! CALL and RTS (execution, chapter 9, "CALL and RTS"; E100L-CALL-02 to E100L-CALL-05, E100L-RTS-02,
+//! E100L-RTS-04).
+
+use turnspec_oracle::vocabulary::rule_ids::*;
+use turnspec_oracle::vocabulary::{Action, AlarmName, CallCause, Label, Place, RuleId, RuleSet, Sink};
+
+use crate::engine::Interpreter;
+use crate::engine::fault::Fault;
+use crate::engine::text::Mark;
+
+use super::Activation;
+use super::locals::Owner;
+use super::modal::ModalCall;
+use super::programs::{ProgramId, Programs};
+
+/// A call that has not returned.
+#[derive(Clone, Copy, Debug)]
+pub struct Frame {
+    /// What runs when it returns, and where that goes on.
+    pub caller: Activation,
+    pub back: Mark,
+    /// The block that called.
+    pub place: Place,
+    pub cause: CallCause,
+    /// Of a modal call, which one it is.
+    pub modal: Option<ModalCall>,
+}
+
+impl Interpreter<'_> {
+    /// The calls of CALL and of macro codes, after their assignments.
+    pub(super) fn call_by_statement(
+        &mut self,
+        name: Label,
+        rule: RuleId,
+        sink: &mut impl Sink,
+    ) -> Result<(), Fault> {
+        self.check_depth()?;
+        let program = self.find_program(name)?;
+        let cause = if rule == CALL_02 { CallCause::Call } else { CallCause::Macro };
+        self.emit(sink, RuleSet::of(&[rule]), Action::Call { name, cause });
+        self.begin_program(program, cause, None);
+        Ok(())
+    }
+
+    /// One more called program (E100L-CALL-04).
+    pub(super) fn check_depth(&self) -> Result<(), Fault> {
+        if self.task.depth() >= self.setup.parameters.call_depth {
+            return Fault::raise(AlarmName::CallDepth, CALL_04);
+        }
+        Ok(())
+    }
+
+    /// The program with a name (E100L-CALL-03, E100L-NAME-05).
+    pub(super) fn find_program(&mut self, name: Label) -> Result<ProgramId, Fault> {
+        let (main, setup) = (self.task.main, self.setup);
+        self.task.programs.get_or_insert_with(|| Programs::new(main, setup)).find(name)
+    }
+
+    /// Goes on with a program; what runs now goes on when it returns.
+    pub(super) fn begin_program(&mut self, id: ProgramId, cause: CallCause, modal: Option<ModalCall>) {
+        let Some(programs) = self.task.programs.as_ref() else { return };
+        let Some(program) = programs.get(id) else { return };
+        let text = programs.text(program.text);
+        let caller = self.task.present;
+        self.task.frames.push(Frame { caller, back: self.reader.mark(), place: self.place, cause, modal });
+        self.task.present = Activation {
+            name: program.name,
+            program: Some(id),
+            text: program.text,
+            end: program.end,
+            kept_until: program.end,
+            inside: modal.map(|modal| modal.mode).or(caller.inside),
+        };
+        self.reader.turn_to(text, program.start);
+    }
+
+    /// RTS.
+    pub(super) fn return_from_call(&mut self, sink: &mut impl Sink) -> Result<(), Fault> {
+        let Some(frame) = self.task.frames.last().copied() else {
+            return Fault::raise(AlarmName::ReturnOutsideSubprogram, RTS_04);
+        };
+        if self.task.has_own_mode() {
+            return Err(Fault::about(AlarmName::Unspecified, MODIN_09, Label::new("RTS")));
+        }
+        self.emit(sink, const { RuleSet::of(&[RTS_02, LVAR_12]) }, Action::Return);
+        self.task.locals.remove(Owner::Level(self.task.depth()));
+        self.task.frames.pop();
+        self.task.present = frame.caller;
+        let text = match self.task.programs.as_ref() {
+            Some(programs) => programs.text(frame.caller.text),
+            None => self.task.main,
+        };
+        self.reader.turn_to(text, frame.back);
+        match frame.modal {
+            Some(modal) => {
+                self.finish_statement(sink);
+                self.place = frame.place;
+                self.call_next_mode(modal, sink)
+            }
+            None => Ok(()),
+        }
+    }
+}

@@ -1,0 +1,248 @@
+//! The grammar of statements (execution, chapter 3, "Statements").
+
+use turnspec_oracle::vocabulary::rule_ids::*;
+use turnspec_oracle::vocabulary::{AlarmName, Label, RuleId};
+
+use crate::engine::arithmetic::scale::TEN;
+use crate::engine::codes::{is_g_macro, is_m_macro};
+use crate::engine::expression::{has_one_letter, is_reserved};
+use crate::engine::fault::Fault;
+use crate::engine::items::is_extended;
+use crate::engine::number::Number;
+use crate::engine::parse::{KEYWORDS, Parser};
+use crate::engine::text::{Class, class};
+use crate::engine::words::{Address, Code, Item, Source};
+
+use super::LocalName;
+
+/// A statement that tells which block comes next.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum Control {
+    /// GOTO, with a sequence name.
+    Goto(Label),
+    /// IF, with a sequence name.
+    If(Condition, Label),
+    /// CALL, with a program name.
+    Call(Label),
+    /// RTS.
+    Return,
+    /// MODIN, with a program name.
+    BeginMode(Label),
+    /// MODOUT.
+    EndMode,
+    /// A G code macro (E100L-MACRO-01).
+    GMacro(u16),
+    /// An M code macro (E100L-MACRO-02).
+    MMacro(u16),
+}
+
+/// The condition of an IF.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum Condition {
+    Value(Code),
+    Defined(LocalName),
+}
+
+impl Control {
+    /// Its keyword or macro code.
+    pub fn word(self) -> Label {
+        match self {
+            Self::Goto(_) => Label::new("GOTO"),
+            Self::If(..) => Label::new("IF"),
+            Self::Call(_) => Label::new("CALL"),
+            Self::Return => Label::new("RTS"),
+            Self::BeginMode(_) => Label::new("MODIN"),
+            Self::EndMode => Label::new("MODOUT"),
+            Self::GMacro(code) => Label::of_code(b'G', code),
+            Self::MMacro(code) => Label::of_code(b'M', code),
+        }
+    }
+}
+
+/// The keywords that a blank must follow, or `[`; longer ones before their beginnings.
+const DELIMITED: [&[u8]; 11] =
+    [b"MODOUT", b"MODIN", b"WRITE", b"GOTO", b"CALL", b"READ", b"NOEX", b"RTS", b"GET", b"PUT", b"IF"];
+
+impl Parser<'_> {
+    /// A statement with all that follows it; false if none begins here, but an item that stays one.
+    #[inline]
+    pub fn statement(&mut self) -> Result<bool, Fault> {
+        let Some(letter) = self.peek().filter(|byte| class(*byte) == Class::Letter) else { return Ok(false) };
+        let next = self.text.get(self.at + 1).map_or(Class::Illegal, |byte| class(*byte));
+        match letter {
+            _ if next == Class::Letter => self.keyword(),
+            b'G' | b'M' => self.macro_code(letter),
+            _ => Ok(false),
+        }
+    }
+
+    /// A block that may begin with a keyword.
+    fn keyword(&mut self) -> Result<bool, Fault> {
+        let name = self.run(self.at);
+        if !KEYWORDS.contains(&name) {
+            let beginning = DELIMITED.iter().find(|keyword| name.starts_with(keyword));
+            return match beginning.filter(|_| name.len() > 4) {
+                Some(keyword) => Err(delimiter_missing(CTL_03, Label::from_bytes(keyword))),
+                None => Ok(false),
+            };
+        }
+        let keyword = Label::from_bytes(name);
+        let length = name.len();
+        self.block.control = match keyword.as_str() {
+            "GOTO" => {
+                self.pass_keyword(keyword)?;
+                Some(Control::Goto(self.target(GOTO_01)?))
+            }
+            "IF" => {
+                self.at += length;
+                Some(self.branch()?)
+            }
+            "CALL" => {
+                self.pass_keyword(keyword)?;
+                Some(Control::Call(self.subprogram(CALL_01)?))
+            }
+            "MODIN" => {
+                self.pass_keyword(keyword)?;
+                Some(Control::BeginMode(self.subprogram(MODIN_01)?))
+            }
+            "RTS" => {
+                self.pass_keyword(keyword)?;
+                self.nothing_more(RTS_01)?;
+                Some(Control::Return)
+            }
+            "MODOUT" => {
+                self.pass_keyword(keyword)?;
+                self.nothing_more(MODIN_04)?;
+                Some(Control::EndMode)
+            }
+            "NOEX" => {
+                self.pass_keyword(keyword)?;
+                self.block.noex = true;
+                self.items(Some(NOEX_01))?;
+                None
+            }
+            _ => return Err(Fault::about(AlarmName::NotModelled, GCODE_03, keyword)),
+        };
+        Ok(true)
+    }
+
+    /// A block whose first item begins with G or M; true if that is a macro code.
+    fn macro_code(&mut self, letter: u8) -> Result<bool, Fault> {
+        self.item(letter)?;
+        let (control, rule) = match self.block.items.last() {
+            Some(Item::Word(Address::G, Source::Plain(number))) => {
+                (whole(*number).filter(|code| is_g_macro(*code)).map(Control::GMacro), MACRO_01)
+            }
+            Some(Item::Word(Address::M, Source::Plain(number))) => {
+                (whole(*number).filter(|code| is_m_macro(*code)).map(Control::MMacro), MACRO_02)
+            }
+            _ => (None, MACRO_01),
+        };
+        if control.is_none() {
+            return Ok(false);
+        }
+        self.block.items.clear();
+        self.block.control = control;
+        self.items(Some(rule))?;
+        Ok(true)
+    }
+
+    /// A keyword with the blank behind it, and all blanks there.
+    fn pass_keyword(&mut self, keyword: Label) -> Result<(), Fault> {
+        self.at += keyword.as_str().len();
+        self.delimiter(CTL_03, keyword)
+    }
+
+    /// A blank behind a word, or the end of the block; all blanks are skipped.
+    fn delimiter(&mut self, rule: RuleId, word: Label) -> Result<(), Fault> {
+        match self.peek_class() {
+            None | Some(Class::Ignored | Class::Tab | Class::Open) => self.skip_blanks(),
+            Some(_) => Err(delimiter_missing(rule, word)),
+        }
+    }
+
+    /// A sequence name and the end of the block.
+    fn target(&mut self, rule: RuleId) -> Result<Label, Fault> {
+        if self.peek() != Some(b'N') {
+            return Fault::raise(AlarmName::Format, rule);
+        }
+        let name = self.sequence_name(false)?;
+        self.nothing_more(rule)?;
+        Ok(name)
+    }
+
+    /// The end of the block.
+    fn nothing_more(&mut self, rule: RuleId) -> Result<(), Fault> {
+        self.skip_blanks()?;
+        if self.peek().is_some() { Fault::raise(AlarmName::Format, rule) } else { Ok(()) }
+    }
+
+    /// What follows IF (E100L-IFST-01, E100L-IFST-02).
+    fn branch(&mut self) -> Result<Control, Fault> {
+        self.skip_blanks()?;
+        let condition = if self.peek() == Some(b'[') {
+            self.at += 1;
+            let code = self.expression()?;
+            self.close_bracket()?;
+            self.skip_blanks()?;
+            Condition::Value(code)
+        } else {
+            Condition::Defined(self.tested_name()?)
+        };
+        let run = self.run(self.at);
+        if run == b"GOTO" {
+            self.pass_keyword(const { Label::new("GOTO") })?;
+        } else if run.starts_with(b"GOTO") {
+            return Err(delimiter_missing(CTL_03, const { Label::new("GOTO") }));
+        }
+        Ok(Control::If(condition, self.target(IFST_01)?))
+    }
+
+    /// The local variable behind IF, and the blanks behind it.
+    fn tested_name(&mut self) -> Result<LocalName, Fault> {
+        let run = self.run(self.at);
+        let length = run.len();
+        let other = KEYWORDS.contains(&run) || is_reserved(run) || is_extended(run) || run == b"CALRG";
+        let is_name = run.first().is_some_and(u8::is_ascii_uppercase) && !has_one_letter(run);
+        if other || !is_name || run.first() == Some(&b'V') {
+            return Fault::raise(AlarmName::Format, IFST_01);
+        }
+        let name = LocalName::of(run)?;
+        self.at += length;
+        self.delimiter(CTL_06, name.label())?;
+        Ok(name)
+    }
+
+    /// What follows CALL and MODIN: a program name, then assignments (E100L-CALL-01, E100L-MODIN-01).
+    fn subprogram(&mut self, rule: RuleId) -> Result<Label, Fault> {
+        if self.peek() != Some(b'O') {
+            return Fault::raise(AlarmName::Format, rule);
+        }
+        let name = self.name_of_program()?;
+        self.delimiter(CTL_06, name)?;
+        self.items(Some(rule))?;
+        Ok(name)
+    }
+
+    /// Refuses the item read last if it is a word.
+    pub fn refuse_word(&self, rule: RuleId) -> Result<(), Fault> {
+        match self.block.items.last().and_then(Item::address) {
+            Some(address) => {
+                Err(Fault::about(AlarmName::WordWithoutFunction, rule, Label::new(address.text())))
+            }
+            None => Ok(()),
+        }
+    }
+}
+
+#[cold]
+fn delimiter_missing(rule: RuleId, word: Label) -> Fault {
+    Fault::about(AlarmName::StatementDelimiterMissing, rule, word)
+}
+
+/// The value of a plain number that is a code.
+fn whole(number: Number) -> Option<u16> {
+    let Number::Decimal { digits, scale, .. } = number else { return None };
+    let unit = TEN.get(usize::from(scale)).copied().filter(|unit| digits % unit == 0)?;
+    u16::try_from(digits / unit).ok()
+}

@@ -1,0 +1,140 @@
+//! What a block begins with, found without parsing it (execution, chapter 9, "Where a name stands").
+
+use std::iter::Peekable;
+
+use turnspec_oracle::vocabulary::Label;
+
+use crate::engine::names;
+use crate::engine::parse::is_name;
+use crate::engine::text::{Class, Lenient, class};
+
+/// The beginning of a block.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Head {
+    /// A program name; none if it is not well formed.
+    Program(Option<Label>),
+    /// The number of a sequence name without fault.
+    Sequence(u32),
+    /// Anything else.
+    Other,
+}
+
+/// Names are no longer than five characters: a run is looked at to its sixth.
+const LOOKED_AT: usize = 6;
+
+impl Head {
+    /// The beginning of the block with these characters.
+    pub fn of(characters: Lenient, block_delete: bool) -> Self {
+        let mut rest = characters.peekable();
+        skip_blanks(&mut rest);
+        match rest.peek() {
+            Some(b'O' | b':') => {
+                rest.next();
+                let run = Run::take(&mut rest);
+                let mut label = Label::new("O");
+                run.bytes().iter().for_each(|byte| label.push(*byte));
+                return Self::Program(is_name(run.bytes(), 4).then_some(label));
+            }
+            Some(b'/') => {
+                rest.next();
+                if block_delete {
+                    while rest.next_if(|byte| matches!(class(*byte), Class::Ignored | Class::Tab)).is_some() {
+                    }
+                } else {
+                    skip_blanks(&mut rest);
+                }
+            }
+            _ => {}
+        }
+        if rest.next_if_eq(&b'N').is_none() {
+            return Self::Other;
+        }
+        let run = Run::take(&mut rest);
+        let delimited = rest.peek().is_none_or(|byte| {
+            *byte == b'/' || matches!(class(*byte), Class::Ignored | Class::Tab | Class::Open)
+        });
+        if delimited && is_name(run.bytes(), 5) && run.bytes() != b"OEX" {
+            Self::Sequence(number(run.bytes()))
+        } else {
+            Self::Other
+        }
+    }
+}
+
+/// The number of a valid sequence name without its `N`.
+pub fn number(name: &[u8]) -> u32 {
+    u32::try_from(names::index(name)).unwrap_or(u32::MAX)
+}
+
+/// The first characters of a run of letters and digits.
+struct Run {
+    bytes: [u8; LOOKED_AT],
+    length: usize,
+}
+
+impl Run {
+    fn take(rest: &mut Peekable<Lenient>) -> Self {
+        let mut run = Self { bytes: [0; LOOKED_AT], length: 0 };
+        for slot in &mut run.bytes {
+            let alphanumeric = |byte: &u8| matches!(class(*byte), Class::Letter | Class::Digit);
+            let Some(byte) = rest.next_if(alphanumeric) else { break };
+            *slot = byte;
+            run.length += 1;
+        }
+        run
+    }
+
+    fn bytes(&self) -> &[u8] {
+        self.bytes.get(..self.length).unwrap_or_default()
+    }
+}
+
+/// Skips ignored characters, TAB and comments; one that is not closed reaches to the end.
+fn skip_blanks(rest: &mut Peekable<Lenient>) {
+    while let Some(byte) = rest.peek() {
+        match class(*byte) {
+            Class::Ignored | Class::Tab => {
+                rest.next();
+            }
+            Class::Open => {
+                rest.find(|byte| *byte == b')');
+            }
+            _ => break,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Head, number};
+    use crate::engine::text::Reader;
+    use turnspec_oracle::vocabulary::{Label, TapeCode};
+
+    fn head(text: &str, block_delete: bool) -> Head {
+        let mut reader = Reader::new(text.as_bytes(), TapeCode::Ascii);
+        let lines = reader.next_lines().unwrap_or_default();
+        Head::of(reader.lenient(lines), block_delete)
+    }
+
+    #[test]
+    fn names_stand_at_the_beginning() {
+        let ten = Head::Sequence(number(b"10"));
+        for text in ["N10", " (A) N10\tX1", "/N10 X", "N10/", "N10(", "\n$ N10", "/ (A)N10", "N10 &"] {
+            assert_eq!(head(text, false), ten, "{text:?}");
+        }
+        for text in ["N10X", "N", "N1A", "N123456", "NOEX", "//N10", "X1 N10", "(A N10", "N10&"] {
+            assert_eq!(head(text, false), Head::Other, "{text:?}");
+        }
+        assert_eq!(head("/ (A)N10", true), Head::Other);
+        assert_eq!(head("/ \tN10", true), ten);
+        assert_eq!(head("NOEXA", false), Head::Sequence(number(b"OEXA")));
+    }
+
+    #[test]
+    fn programs_have_names() {
+        assert_eq!(head(" (A) O12 X", false), Head::Program(Some(Label::new("O12"))));
+        assert_eq!(head(":AB&", false), Head::Program(Some(Label::new("OAB"))));
+        assert_eq!(head("O12345", false), Head::Program(None));
+        assert_eq!(head("/O1", false), Head::Other);
+    }
+}

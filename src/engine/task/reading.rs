@@ -1,0 +1,201 @@
+//! Reading the next block, wherever it stands: from the text, or from the blocks that are kept (execution,
+//! chapter 2, and chapter 9, "Programs and where they end" and "Steps of a run").
+
+use turnspec_oracle::vocabulary::rule_ids::*;
+use turnspec_oracle::vocabulary::{AlarmName, Label, Place};
+
+use crate::engine::Interpreter;
+use crate::engine::arithmetic::span::offset;
+use crate::engine::fault::Fault;
+use crate::engine::parse::Parser;
+use crate::engine::planted::{self, Bug};
+use crate::engine::text::Lines;
+use crate::engine::words::Slot;
+
+use super::head::Head;
+use super::kept::KeptBlock;
+
+/// Whether a block is read in its turn.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Turn {
+    /// The run arrives at it.
+    Now,
+    /// It is looked at before its turn.
+    Ahead,
+}
+
+impl Interpreter<'_> {
+    /// Reads the next block that is not skipped; false where the program ends. The place is set in any case.
+    pub(in crate::engine) fn read(&mut self, slot: &mut Slot, turn: Turn) -> Result<bool, Fault> {
+        if turn == Turn::Ahead {
+            slot.from = self.reader.mark();
+            slot.passed = 0;
+        }
+        let mut buffer = std::mem::take(&mut self.buffer);
+        let result = self.read_with(slot, turn, &mut buffer);
+        self.buffer = buffer;
+        result
+    }
+
+    fn read_with(&mut self, slot: &mut Slot, turn: Turn, buffer: &mut Vec<u8>) -> Result<bool, Fault> {
+        loop {
+            if self.reader.at() < self.task.present.kept_until
+                && let Some(idle) = self.take_kept(slot, turn)?
+            {
+                if idle {
+                    continue;
+                }
+                return Ok(true);
+            }
+            let Some(lines) = self.reader.next_lines() else { break };
+            slot.place = self.place_of(lines);
+            if self.reader.passes_over(lines)? {
+                continue;
+            }
+            if self.ends_program(lines, turn) {
+                return Ok(false);
+            }
+            if let Err(limit) = self.count_step(slot, turn)
+                && !(self.begun && !self.task.is_called() && self.names_program(lines))
+            {
+                return Err(limit);
+            }
+            let idle = self.parse(slot, lines, buffer)?;
+            if lines.start < self.task.present.kept_until {
+                let (text, after) = (self.task.present.text, self.reader.mark());
+                let parsed = slot.parsed.keep();
+                self.task.kept.keep(text, KeptBlock { lines, after, parsed, idle });
+            }
+            if !idle {
+                return Ok(true);
+            }
+        }
+        let end = offset(self.reader.length());
+        slot.place =
+            Place { line: self.reader.last_line(), start: end, end, ..self.place_of(Lines::default()) };
+        Ok(false)
+    }
+
+    /// The place of a block of the present program, without its sequence name.
+    #[inline]
+    fn place_of(&self, lines: Lines) -> Place {
+        Place {
+            program: self.task.present.name,
+            sequence: Label::default(),
+            line: lines.line,
+            start: offset(lines.start),
+            end: offset(lines.end),
+        }
+    }
+
+    /// A block that is kept, if one begins here, and whether nothing of it is carried out.
+    #[inline]
+    fn take_kept(&mut self, slot: &mut Slot, turn: Turn) -> Result<Option<bool>, Fault> {
+        let (text, at) = (self.task.present.text, self.reader.at());
+        let Some(kept) = self.task.kept.get(text, at) else { return Ok(None) };
+        slot.place = self.place_of(kept.lines);
+        slot.parsed.share(kept.parsed.clone());
+        self.reader.seek(kept.after);
+        let idle = kept.idle;
+        self.count_step(slot, turn)?;
+        slot.place.sequence = slot.parsed.sequence;
+        Ok(Some(idle))
+    }
+
+    /// One step more (E100L-GOTO-03), unless the run has yet to arrive here.
+    #[inline]
+    fn count_step(&mut self, slot: &mut Slot, turn: Turn) -> Result<(), Fault> {
+        if turn == Turn::Ahead {
+            slot.passed += 1;
+            return Ok(());
+        }
+        match self.task.steps_left.checked_sub(1) {
+            Some(left) => {
+                self.task.steps_left = left;
+                Ok(())
+            }
+            None => Fault::raise(AlarmName::StepLimit, GOTO_03),
+        }
+    }
+
+    /// The run arrives at a block that was read before its turn, by way of those that were passed then.
+    pub(in crate::engine) fn count_passed(&mut self, slot: &Slot) -> Result<(), Fault> {
+        if let Some(left) = self.task.steps_left.checked_sub(slot.passed) {
+            self.task.steps_left = left;
+            return Ok(());
+        }
+        let mut reader = self.reader.clone();
+        reader.seek(slot.from);
+        while let Some(lines) = reader.next_lines() {
+            if reader.is_no_block(lines) {
+                continue;
+            }
+            if self.task.steps_left == 0 {
+                self.place = self.place_of(lines);
+                break;
+            }
+            self.task.steps_left -= 1;
+        }
+        Fault::raise(AlarmName::StepLimit, GOTO_03)
+    }
+
+    /// Whether the program ends before these lines. A name block behind the main program is checked like
+    /// other blocks when the run arrives there, but is no step.
+    #[inline]
+    fn ends_program(&self, lines: Lines, turn: Turn) -> bool {
+        lines.start >= self.task.present.end || turn == Turn::Ahead && self.names_program(lines)
+    }
+
+    fn names_program(&self, lines: Lines) -> bool {
+        matches!(Head::of(self.reader.lenient(lines), self.options.block_delete), Head::Program(_))
+    }
+
+    /// Parses a block and takes note of its name; whether nothing of it is carried out.
+    #[inline]
+    fn parse(&mut self, slot: &mut Slot, lines: Lines, buffer: &mut Vec<u8>) -> Result<bool, Fault> {
+        let text = self.reader.characters(lines, buffer)?;
+        if lines.stray {
+            return Fault::raise(AlarmName::IllegalCharacter, FMT_08);
+        }
+        let block = slot.parsed.renew();
+        let parsed = Parser { text, at: 0, options: self.options, block }.parse();
+        slot.place.sequence = slot.parsed.sequence;
+        parsed?;
+        if let Some(name) = slot.parsed.program {
+            self.begin_named(name, lines.start)?;
+            return Ok(true);
+        }
+        let sequence = slot.parsed.sequence;
+        let name = sequence.as_str().as_bytes().get(1..).unwrap_or_default();
+        let forgotten = planted::is(Bug::SkippedNameForgotten) && slot.parsed.skipped;
+        if !name.is_empty() && !forgotten && !self.is_first_with(name, lines.start) {
+            return Fault::raise(AlarmName::SequenceNameDuplicate, SEQ_03);
+        }
+        let (empty, skipped) = (slot.parsed.is_empty(), slot.parsed.skipped);
+        self.begun |= !empty || skipped;
+        Ok(empty || skipped)
+    }
+
+    /// A block with a program name: the own one of the program that runs, or one behind the main program.
+    fn begin_named(&mut self, name: Label, start: usize) -> Result<(), Fault> {
+        if self.task.is_called() {
+            return Ok(());
+        }
+        if self.begun {
+            return Fault::raise(AlarmName::ProgramNameMisplaced, PROG_02);
+        }
+        self.begun = true;
+        self.task.present.name = name;
+        self.task.own_name = Some(start);
+        Ok(())
+    }
+
+    /// Where the program that runs has ended without saying so (E100L-RTS-01, E100L-PROG-02).
+    pub(in crate::engine) fn end_missing(&self) -> Fault {
+        if self.task.is_called() {
+            Fault::new(AlarmName::NoReturn, RTS_01)
+        } else {
+            Fault::new(AlarmName::NoProgramEnd, PROG_02)
+        }
+    }
+}

@@ -1,0 +1,103 @@
+//! Carrying out statements (execution, chapter 9).
+
+use turnspec_oracle::vocabulary::rule_ids::*;
+use turnspec_oracle::vocabulary::{AlarmName, Label, RuleId, Sink};
+
+use crate::engine::Interpreter;
+use crate::engine::fault::Fault;
+use crate::engine::words::{Operand, Parsed};
+
+use super::{Condition, Control, Registration};
+
+/// What a macro code begins.
+enum Macro {
+    Call,
+    Mode,
+}
+
+impl Interpreter<'_> {
+    /// Carries out a block with a statement.
+    pub(in crate::engine) fn carry_out_statement(
+        &mut self,
+        parsed: &Parsed,
+        control: Control,
+        sink: &mut impl Sink,
+    ) -> Result<(), Fault> {
+        match control {
+            Control::Goto(name) => self.jump(name, GOTO_02)?,
+            Control::If(condition, name) => {
+                if self.holds(parsed, condition)? {
+                    self.jump(name, IFST_03)?;
+                }
+            }
+            _ if self.options.level_one => {
+                return Err(Fault::about(AlarmName::UserTaskLevel, UT_03, control.word()));
+            }
+            Control::Call(name) => {
+                self.assignments(parsed, Registration::Call, sink)?;
+                self.call_by_statement(name, CALL_02, sink)?;
+            }
+            Control::Return => self.return_from_call(sink)?,
+            Control::BeginMode(name) => {
+                self.assignments(parsed, Registration::Mode, sink)?;
+                self.begin_mode(name, control.word())?;
+            }
+            Control::EndMode => self.end_mode()?,
+            Control::GMacro(code) => self.macro_code(parsed, control.word(), kind(code), MACRO_01, sink)?,
+            Control::MMacro(_) => self.macro_code(parsed, control.word(), Macro::Call, MACRO_02, sink)?,
+        }
+        if parsed.has_assignment {
+            self.state.base = None;
+        }
+        self.finish_statement(sink);
+        Ok(())
+    }
+
+    /// Whether the condition of an IF is true (E100L-IFST-02, E100L-IFST-04).
+    fn holds(&mut self, parsed: &Parsed, condition: Condition) -> Result<bool, Fault> {
+        match condition {
+            Condition::Value(code) => Ok(match self.compute(parsed, code)? {
+                Operand::Integer(value) => value != 0,
+                Operand::Real(value) => value != 0.0,
+            }),
+            Condition::Defined(name) => Ok(self.task.has_local(name)),
+        }
+    }
+
+    fn assignments(
+        &mut self,
+        parsed: &Parsed,
+        registration: Registration,
+        sink: &mut impl Sink,
+    ) -> Result<(), Fault> {
+        parsed.items.iter().try_for_each(|item| self.assignment(parsed, *item, registration, sink))
+    }
+
+    /// A macro code, with the program that the set-up gives to it.
+    fn macro_code(
+        &mut self,
+        parsed: &Parsed,
+        code: Label,
+        kind: Macro,
+        rule: RuleId,
+        sink: &mut impl Sink,
+    ) -> Result<(), Fault> {
+        let registration = match kind {
+            Macro::Call => Registration::Call,
+            Macro::Mode => Registration::Mode,
+        };
+        self.assignments(parsed, registration, sink)?;
+        let Some(name) = self.setup.macros.get(code.as_str()).copied() else {
+            return Err(Fault::about(AlarmName::MacroUnassigned, rule, code));
+        };
+        match kind {
+            Macro::Call => self.call_by_statement(name, rule, sink),
+            Macro::Mode => self.begin_mode(name, code),
+        }
+    }
+}
+
+/// What a G code macro begins (E100L-MACRO-01).
+fn kind(code: u16) -> Macro {
+    if code <= 170 { Macro::Mode } else { Macro::Call }
+}
