@@ -78,11 +78,15 @@ impl Profile {
     /// one.
     #[must_use]
     pub fn permits(&self, case: &Case) -> bool {
-        let permits =
-            |program: &[u8]| self.permits_text(&tape::decode(program, case.setup.tape.code), Mode::Rapid);
+        let code = case.setup.tape.code;
+        let library = case.setup.library.values().map(|text| &text.0);
+        let mut texts = library.chain([&case.program]).map(|text| tape::decode(text, code));
+        let jumps =
+            case.setup.limits.steps != Setup::default().limits.steps || !case.setup.library.is_empty();
+        // In which mode a block is carried out that others jump to, its place in the text does not tell.
+        let modes: &[Mode] = if jumps { &[Mode::Rapid, Mode::Linear] } else { &[Mode::Rapid] };
         self.permits_setup(&case.setup)
-            && permits(&case.program)
-            && case.setup.library.values().all(|text| permits(&text.0))
+            && texts.all(|text| modes.iter().any(|mode| self.permits_text(&text, *mode)))
     }
 
     /// Whether corners must be cut in the basic form: an any-angle corner looks ahead to its next line.

@@ -46,6 +46,9 @@ pub(crate) fn needs_of(text: &[u8], mode: Mode) -> Features {
     if text.first() == Some(&b'$') {
         scan.needs.add(&[Feature::ProgramName]);
         scan.at = text.iter().position(|byte| *byte == b'\n').unwrap_or(text.len());
+        if text.iter().take(scan.at).any(|byte| !(0x20..=0x7E).contains(byte)) {
+            scan.needs.add(&[Feature::TapeCode]);
+        }
     }
     while let Some(byte) = text.get(scan.at).copied() {
         scan.token(byte);
@@ -100,7 +103,11 @@ impl Scan<'_> {
             b'(' => self.comment(),
             b'/' if self.block.equal => self.needs.add(&[Feature::Expression]),
             b'/' => self.needs.add(&[Feature::BlockDelete]),
-            b'%' | b':' => self.needs.add(&[Feature::ProgramName]),
+            b'%' => self.needs.add(&[Feature::ProgramName]),
+            b':' => {
+                self.needs.add(&[Feature::ProgramName]);
+                self.pass(|byte| byte.is_ascii_alphanumeric());
+            }
             b'[' | b']' | b'*' | b'$' | b',' | b'=' => self.needs.add(&[Feature::Expression]),
             b'+' | b'-' if self.after_operand() => self.needs.add(&[Feature::Expression]),
             b'+' | b'-' | b'.' | b'0'..=b'9' => {}
@@ -301,7 +308,7 @@ impl Scan<'_> {
                 b'\t' | b'\r' | 0x08 | 0x7F => self.needs.add(&[Feature::TapeCode]),
                 b'+' if digits.is_empty() => {}
                 b'=' | b'[' if digits.is_empty() => self.needs.add(&[Feature::Expression]),
-                b']' => {}
+                b']' => self.needs.add(&[Feature::Expression]),
                 digit @ b'0'..=b'9' => digits.push(char::from(digit)),
                 _ => break,
             }

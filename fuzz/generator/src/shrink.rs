@@ -11,7 +11,7 @@ use crate::tape;
 pub fn shrink(case: Case, mut fails: impl FnMut(&Case) -> bool) -> Case {
     let mut shrinker = Shrinker { best: case, fails: &mut fails };
     shrinker.plain_code();
-    while shrinker.lines() | shrinker.setup() | shrinker.words() | shrinker.numbers() {}
+    while shrinker.lines() | shrinker.library() | shrinker.setup() | shrinker.words() | shrinker.numbers() {}
     shrinker.best
 }
 
@@ -30,8 +30,47 @@ impl Shrinker<'_> {
         better
     }
 
-    fn try_program(&mut self, program: Vec<u8>) -> bool {
-        self.try_case(Case { setup: self.best.setup.clone(), program })
+    /// The texts of the best case: the program, then the files of the library.
+    fn texts(&self) -> usize {
+        1 + self.best.setup.library.len()
+    }
+
+    /// One of these texts.
+    fn text(&self, place: usize) -> &[u8] {
+        let file = place.checked_sub(1).and_then(|place| self.best.setup.library.values().nth(place));
+        file.map_or(&self.best.program, |text| &text.0)
+    }
+
+    /// Tries another text in the place of one.
+    fn try_text(&mut self, place: usize, text: Vec<u8>) -> bool {
+        let mut candidate = self.best.clone();
+        let file = place.checked_sub(1).and_then(|place| candidate.setup.library.values_mut().nth(place));
+        match file {
+            Some(file) => file.0 = text,
+            None => candidate.program = text,
+        }
+        self.try_case(candidate)
+    }
+
+    /// Files of the library left out, or put behind the program.
+    fn library(&mut self) -> bool {
+        let mut smaller = false;
+        let end = tape::end_of_block(self.best.setup.tape.code);
+        let names: Vec<String> = self.best.setup.library.keys().cloned().collect();
+        for name in names {
+            let mut candidate = self.best.clone();
+            let Some(text) = candidate.setup.library.remove(&name) else { continue };
+            if self.try_case(candidate.clone()) {
+                smaller = true;
+                continue;
+            }
+            if candidate.program.last() != Some(&end) {
+                candidate.program.push(end);
+            }
+            candidate.program.extend(text.0);
+            smaller |= self.try_case(candidate);
+        }
+        smaller
     }
 
     /// Seven-bit characters instead of the tape's code.
@@ -40,7 +79,11 @@ impl Shrinker<'_> {
             return;
         }
         let mut candidate = self.best.clone();
-        candidate.program = tape::decode(&candidate.program, candidate.setup.tape.code);
+        let code = candidate.setup.tape.code;
+        candidate.program = tape::decode(&candidate.program, code);
+        for text in candidate.setup.library.values_mut() {
+            text.0 = tape::decode(&text.0, code);
+        }
         candidate.setup.tape.code = TapeCode::Ascii;
         self.try_case(candidate);
     }
@@ -48,7 +91,11 @@ impl Shrinker<'_> {
     /// Parts of the set-up as they are by default.
     fn setup(&mut self) -> bool {
         const PARTS: &[fn(&mut Setup, &Setup)] = &[
-            |setup, plain| *setup = plain.clone(),
+            |setup, plain| {
+                let (library, macros) = (setup.library.clone(), setup.macros.clone());
+                *setup = Setup { library, macros, ..plain.clone() };
+            },
+            |setup, plain| setup.macros.clone_from(&plain.macros),
             |setup, plain| setup.start = plain.start,
             |setup, plain| setup.zero_offset = plain.zero_offset,
             |setup, plain| setup.tool_offset.clone_from(&plain.tool_offset),
@@ -71,6 +118,8 @@ impl Shrinker<'_> {
         for part in PARTS {
             let mut candidate = self.best.clone();
             part(&mut candidate.setup, &plain);
+            // Without this limit a loop might run for long.
+            candidate.setup.limits.steps = self.best.setup.limits.steps;
             if candidate.setup != self.best.setup && candidate.setup.validate().is_ok() {
                 smaller |= self.try_case(candidate);
             }
@@ -95,22 +144,24 @@ impl Shrinker<'_> {
     /// Leaves out runs of the pieces that a program falls into.
     fn without_pieces(&mut self, cut: impl Fn(&[u8]) -> Vec<Vec<u8>>) -> bool {
         let mut smaller = false;
-        let mut run = cut(&self.best.program).len() / 2;
-        while run > 0 {
-            let mut place = 0;
-            loop {
-                let mut left = cut(&self.best.program);
-                if place >= left.len() {
-                    break;
+        for text in 0..self.texts() {
+            let mut run = cut(self.text(text)).len() / 2;
+            while run > 0 {
+                let mut place = 0;
+                loop {
+                    let mut left = cut(self.text(text));
+                    if place >= left.len() {
+                        break;
+                    }
+                    left.drain(place..(place + run).min(left.len()));
+                    if self.try_text(text, left.concat()) {
+                        smaller = true;
+                    } else {
+                        place += run;
+                    }
                 }
-                left.drain(place..(place + run).min(left.len()));
-                if self.try_program(left.concat()) {
-                    smaller = true;
-                } else {
-                    place += run;
-                }
+                run /= 2;
             }
-            run /= 2;
         }
         smaller
     }
@@ -118,14 +169,16 @@ impl Shrinker<'_> {
     /// Leaves single digits, points, signs and blanks out.
     fn numbers(&mut self) -> bool {
         let mut smaller = false;
-        let mut place = self.best.program.len();
-        while place > 0 {
-            place -= 1;
-            let byte = self.best.program.get(place).copied().unwrap_or_default();
-            if byte.is_ascii_digit() || matches!(byte, b'.' | b'-' | b'+' | b' ' | b'\r' | b'\t' | b'/') {
-                let mut program = self.best.program.clone();
-                program.remove(place);
-                smaller |= self.try_program(program);
+        for text in 0..self.texts() {
+            let mut place = self.text(text).len();
+            while place > 0 {
+                place -= 1;
+                let byte = self.text(text).get(place).copied().unwrap_or_default();
+                if byte.is_ascii_digit() || matches!(byte, b'.' | b'-' | b'+' | b' ' | b'\r' | b'\t' | b'/') {
+                    let mut shorter = self.text(text).to_vec();
+                    shorter.remove(place);
+                    smaller |= self.try_text(text, shorter);
+                }
             }
         }
         smaller
@@ -151,7 +204,7 @@ fn pieces(program: &[u8]) -> Vec<Vec<u8>> {
 mod tests {
     use super::shrink;
     use crate::case::Case;
-    use turnspec_oracle::vocabulary::Setup;
+    use turnspec_oracle::vocabulary::{Action, Event, ProgramText, Setup};
 
     #[test]
     fn what_does_not_matter_goes() {
@@ -165,5 +218,24 @@ mod tests {
         let small = shrink(Case { setup, program }, fails);
         assert_eq!(small.program, b"X1F");
         assert_eq!(small.setup, Setup::default());
+    }
+
+    #[test]
+    fn programs_of_the_library_come_into_the_text() {
+        let program = b"M08\nCALL O1 AB=1\nM02\n".to_vec();
+        let mut setup = Setup::default();
+        setup.limits.steps = 50;
+        setup.library.insert("B.SUB".to_owned(), ProgramText(b"$B.SUB%\nO2\nRTS".to_vec()));
+        setup.library.insert("A.SUB".to_owned(), ProgramText(b"O1\nM65\nX5\nRTS".to_vec()));
+        let fails = |case: &Case| {
+            let mut calls = 0;
+            turnspec_oracle::run(&case.program, &case.setup, &mut |event: &Event| {
+                calls += usize::from(matches!(event.action, Action::Call { .. }));
+            });
+            calls > 0
+        };
+        let small = shrink(Case { setup, program }, fails);
+        assert_eq!(String::from_utf8_lossy(&small.program), "CALL O1\nO1");
+        assert_eq!((small.setup.library.len(), small.setup.limits.steps), (0, 50));
     }
 }

@@ -124,7 +124,9 @@ fn check(features: &[Feature], seeds: std::ops::Range<u64>) -> Ran {
         let case = case_from_seed_within(seed, &profile);
         assert!(case.setup.validate().is_ok());
         let fail = |what: &str| {
-            panic!("seed {seed}, {what}, profile {features:?}\n{}", String::from_utf8_lossy(&case.program))
+            let text = String::from_utf8_lossy(&case.program);
+            let absent: Vec<_> = Feature::ALL.iter().filter(|feature| !features.contains(feature)).collect();
+            panic!("seed {seed}, {what}, profile without {absent:?}\n{text}\n{:?}", case.setup)
         };
         if !profile.permits(&case) {
             fail("the profile itself refuses it");
@@ -164,7 +166,12 @@ fn foreign_words(case: &Case, features: &[Feature]) -> String {
         // The codes of a tape are judged by what the oracle reads in them.
         return String::new();
     }
-    let text = String::from_utf8_lossy(&case.program).into_owned();
+    let library = case.setup.library.values().flat_map(|text| [b"\n".to_vec(), text.0.clone()]);
+    let text = [case.program.clone()].into_iter().chain(library).flatten().collect::<Vec<u8>>();
+    if !tape && !text.iter().all(plain) {
+        return "characters".to_owned();
+    }
+    let text = String::from_utf8_lossy(&text).into_owned();
     if text.contains('(') && !has(&Feature::Comment) {
         return "comment".to_owned();
     }
@@ -182,7 +189,9 @@ fn foreign_words(case: &Case, features: &[Feature]) -> String {
             return characters.to_owned();
         }
     }
-    text.lines().find_map(|line| foreign_word(line, features)).unwrap_or_default()
+    let programs = has(&Feature::Subprogram) && has(&Feature::ProgramName);
+    let shown = |line: &&str| !(programs && line.starts_with('$'));
+    text.lines().filter(shown).find_map(|line| foreign_word(line, features)).unwrap_or_default()
 }
 
 fn without_comments(text: &str) -> String {
@@ -205,6 +214,7 @@ fn without_comments(text: &str) -> String {
 fn foreign_word(line: &str, features: &[Feature]) -> Option<String> {
     let line = line.trim_start_matches([' ', '/']);
     let line = match line.strip_prefix('N') {
+        Some(rest) if rest.starts_with("OEX") => line,
         Some(_) if !features.contains(&Feature::SequenceName) => return Some(line.to_owned()),
         Some(rest) => rest.trim_start_matches(|character: char| character.is_ascii_alphanumeric()),
         None if line.starts_with('O') && features.contains(&Feature::ProgramName) => return None,
@@ -221,20 +231,40 @@ fn foreign_word(line: &str, features: &[Feature]) -> Option<String> {
         ("S", has(Feature::Spindle)),
         ("T", has(Feature::Tool)),
         ("V", has(Feature::Variable) || has(Feature::SystemVariable)),
-        ("BEHJPQRUYO", has(Feature::Alarm)),
+        ("BEHJPQRUY", has(Feature::Alarm)),
+        ("O", has(Feature::Subprogram) || has(Feature::ModalCall) || has(Feature::Alarm)),
     ];
-    let letters = |run: &[u8]| run.iter().all(u8::is_ascii_uppercase);
-    for run in line.as_bytes().chunk_by(|a, b| a.is_ascii_uppercase() && b.is_ascii_uppercase()) {
-        if let ([letter], true) = (run, letters(run)) {
+    for run in runs(line) {
+        if let [letter] = run {
             let letter = char::from(*letter);
             if needs.iter().any(|(list, allowed)| list.contains(letter) && !allowed) {
                 return Some(format!("{letter} in {line}"));
             }
-        } else if run.len() > 1 && letters(run) && !is_known_name(run, features) {
+        } else if !is_known_name(run, features) {
             return Some(format!("{} in {line}", run.escape_ascii()));
         }
     }
     None
+}
+
+/// The addresses, single letters, and the names of a line: two letters with what follows them, or a letter that
+/// names a block or a program with what follows it.
+fn runs(line: &str) -> Vec<&[u8]> {
+    let mut runs = Vec::new();
+    for mut run in line.as_bytes().split(|byte| !byte.is_ascii_uppercase() && !byte.is_ascii_digit()) {
+        while let [first, rest @ ..] = run {
+            let named = rest.first().is_some_and(u8::is_ascii_uppercase) || matches!(first, b'N' | b'O');
+            if first.is_ascii_uppercase() && named {
+                runs.push(run);
+                break;
+            }
+            if first.is_ascii_uppercase() {
+                runs.push(&run[..1]);
+            }
+            run = rest;
+        }
+    }
+    runs
 }
 
 fn is_known_name(run: &[u8], features: &[Feature]) -> bool {
@@ -245,9 +275,15 @@ fn is_known_name(run: &[u8], features: &[Feature]) -> bool {
         b"SA" | b"QA" => has(Feature::CAxis),
         b"PZ" | b"PW" => has(Feature::Torque),
         b"LT" | b"LE" | b"EQ" | b"NE" | b"GT" | b"GE" => has(Feature::Expression),
+        b"ATAN2" => has(Feature::Function),
         b"AND" | b"OR" | b"EOR" | b"NOT" => has(Feature::Boolean),
+        b"GOTO" | b"IF" | b"NOEX" => has(Feature::ControlStatement),
+        b"CALL" | b"RTS" => has(Feature::Subprogram),
+        b"MODIN" | b"MODOUT" => has(Feature::ModalCall),
+        [b'N', ..] if has(Feature::ControlStatement) => true,
+        [b'O', ..] if has(Feature::Subprogram) => true,
         [b'V', ..] => has(Feature::SystemVariable),
-        _ if has(Feature::Alarm) => true,
+        _ if has(Feature::Alarm) || has(Feature::LocalVariable) => true,
         _ => has(Feature::Function),
     }
 }
@@ -275,12 +311,15 @@ fn foreign_event(event: &Event, features: &[Feature]) -> String {
             "M15" | "M16" | "M109" | "M110" | "M146" | "M147" => has(Feature::CAxis),
             "M152" | "M153" => has(Feature::MTool),
             "M124" | "M125" => has(Feature::TimeOver),
+            "M21" | "M25" => has(Feature::Barrier),
             "M203" => has(Feature::Turret),
             _ => has(Feature::Aux),
         },
         Action::Torque { .. } => has(Feature::Torque),
         Action::Frame { .. } => has(Feature::ZeroShift) || has(Feature::SystemVariable) || has(Feature::Tool),
-        Action::Variable { .. } => has(Feature::Variable) || has(Feature::SystemVariable),
+        Action::Variable { .. } => {
+            has(Feature::Variable) || has(Feature::SystemVariable) || has(Feature::LocalVariable)
+        }
         Action::Call { .. } | Action::Return => has(Feature::Subprogram),
         Action::Output { .. } => has(Feature::Communication),
         Action::Message { .. } => has(Feature::UserAlarm),
@@ -301,7 +340,13 @@ fn rule_allowed(id: &str, features: &[Feature]) -> bool {
     let (area, number) = (parts.next().unwrap_or_default(), parts.next().unwrap_or_default());
     let about: &[Feature] = match area {
         "ANG" | "DTAP" => &[Feature::AnyAngle, Feature::Chamfer, Feature::Rounding],
+        "BARR" => &[Feature::Barrier],
         "BOOL" => &[Feature::Boolean],
+        "CALL" | "RTS" => &[Feature::Subprogram, Feature::ModalCall],
+        "GOTO" | "IFST" | "NOEX" => &[Feature::ControlStatement],
+        "LVAR" if !["01", "12"].contains(&number) => &[Feature::LocalVariable],
+        "MACRO" => &[Feature::MacroCode],
+        "MODIN" => &[Feature::ModalCall],
         "NRC" => &[Feature::RadiusCompensation],
         "CAX" | "CFEED" => &[Feature::CAxis, Feature::MTool],
         "CHAM" => &[Feature::Chamfer, Feature::Rounding, Feature::AnyAngle],

@@ -175,7 +175,7 @@ impl Builder<'_, '_, '_> {
     fn too_many_locals(&mut self) -> bool {
         let names = (0..=CAPACITY).map(|number| {
             let letter = char::from(b'C' + u8::try_from(number / 10).unwrap_or_default());
-            format!("{letter}D{}=1", number % 10)
+            format!("D{letter}{}=1", number % 10)
         });
         let names: Vec<String> = names.collect();
         let lines: Vec<String> = names.chunks(12).map(|names| names.join(" ")).collect();
