@@ -99,6 +99,11 @@ impl Compensation {
         Ok(())
     }
 
+    /// The beginning of a statement (E100L-CTL-01).
+    pub fn begin_statement(&mut self) -> Outcome<()> {
+        if let Self::On(on) = self { on.meet_statement() } else { Ok(()) }
+    }
+
     /// The end of a statement: it is not counted (E100L-CTL-01).
     pub fn end_of_statement(&mut self, stream: &mut Stream) {
         *self = match std::mem::take(self) {

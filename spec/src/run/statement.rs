@@ -27,6 +27,7 @@ impl Run<'_> {
         block: Carried,
         stream: &mut Stream,
     ) -> Outcome<()> {
+        self.compensation.begin_statement()?;
         let level = self.setup.options.user_task;
         if level < 2 && !matches!(statement, Statement::Goto(_) | Statement::If(..)) {
             // E100L-UT-02, E100L-UT-03: subprograms are User Task 2.

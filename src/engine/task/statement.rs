@@ -23,6 +23,7 @@ impl Interpreter<'_> {
         control: Control,
         sink: &mut impl Sink,
     ) -> Result<(), Fault> {
+        self.let_statement_pass()?;
         match control {
             Control::Goto(name) => self.jump(name, GOTO_02)?,
             Control::If(condition, name) => {
