@@ -118,7 +118,7 @@ impl Words {
                 self.name(letters, rest.get(letters.len()..).unwrap_or_default(), before, shift)
             } else if next == '\'' {
                 // A character string.
-                2 + run(rest.get(1..).unwrap_or_default(), |each| *each != '\'').len()
+                2 + run(rest.get(1..).unwrap_or_default(), |each| each != '\'').len()
             } else if next == '$' {
                 // A hexadecimal number.
                 1 + run(rest.get(1..).unwrap_or_default(), |each| each.is_ascii_hexdigit()).len()

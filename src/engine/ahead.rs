@@ -7,8 +7,9 @@ use super::Interpreter;
 use super::block::Before;
 use super::fault::Fault;
 use super::planted::{self, Bug};
+use super::slot::Slot;
 use super::task::Turn;
-use super::words::{Address, Slot, Words};
+use super::words::{Address, Words};
 
 /// What a block needs from the next one.
 #[derive(Clone, Copy, Debug)]

@@ -13,8 +13,9 @@ use super::exact::{Formula, Real, round};
 use super::fault::Fault;
 use super::motion::{Element, Kind};
 use super::planted::{self, Bug};
+use super::slot::Slot;
 use super::state::{Base, W, X, Z};
-use super::words::{Address, Slot, Words};
+use super::words::{Address, Words};
 
 /// What a block says about the end of its line.
 #[derive(Clone, Copy, Debug)]

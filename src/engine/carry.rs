@@ -10,8 +10,9 @@ use super::block::{Before, OneShot, Plan};
 use super::compensation::Change;
 use super::fault::Fault;
 use super::planted::{self, Bug};
+use super::slot::Slot;
 use super::state::{C, StoredFeed, W, X, Z};
-use super::words::{Address, Parsed, Slot, Words};
+use super::words::{Address, Parsed, Words};
 
 impl Interpreter<'_> {
     /// Carries out an evaluated block.

@@ -17,8 +17,9 @@ use super::exact::{Formula, Real, round, sign};
 use super::fault::Fault;
 use super::motion::{Element, Kind};
 use super::planted::{self, Bug};
+use super::slot::Slot;
 use super::state::Base;
-use super::words::{Address, Slot};
+use super::words::Address;
 
 /// What L measures.
 #[derive(Clone, Copy, PartialEq, Eq)]

@@ -12,8 +12,9 @@ use super::fault::Fault;
 use super::functions;
 use super::number::Number;
 use super::planted::{self, Bug};
+use super::slot::Slot;
 use super::task::Registration;
-use super::words::{Address, Code, Function, Item, Operand, Operation, Parsed, Slot, Source, Words};
+use super::words::{Address, Code, Function, Item, Operand, Operation, Parsed, Source, Words};
 
 impl Interpreter<'_> {
     /// Evaluates the items of a block; its assignments are carried out at once.

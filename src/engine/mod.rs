@@ -31,6 +31,7 @@ mod parse;
 mod planted;
 #[cfg(feature = "planted-bugs")]
 pub mod planted;
+mod slot;
 mod spindle;
 mod state;
 mod system;
@@ -55,10 +56,11 @@ use functions::Scales;
 use names::Names;
 use parse::Options;
 use planted::Bug;
+use slot::Slot;
 use state::State;
 use task::{Task, Turn};
 use text::Reader;
-use words::{Operand, Slot};
+use words::Operand;
 
 /// A run of the engine, block by block.
 pub struct Interpreter<'a> {

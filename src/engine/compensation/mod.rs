@@ -2,7 +2,8 @@
 //!
 //! The position of the state is that of the programmed point P throughout; compensation keeps the
 //! displacement of the tip from it, the motion that waits for its end, and the events behind that motion.
-//! At most two blocks without X/Z motion follow a motion that waits, so that little is held.
+//! At most two blocks without X/Z motion follow a motion that waits, so that little is held, unless a program
+//! goes round in calls, which are not counted.
 
 mod arcs;
 mod barriers;

@@ -38,8 +38,8 @@ impl Kept {
 
     /// Keeps a block.
     pub fn keep(&mut self, text: usize, block: KeptBlock) {
-        let parts = block.parsed.items.len() * size_of::<Item>()
-            + block.parsed.operations.len() * size_of::<Operation>();
+        let parts = block.parsed.items.capacity() * size_of::<Item>()
+            + block.parsed.operations.capacity() * size_of::<Operation>();
         let size = parts + size_of::<KeptBlock>() + size_of::<Parsed>();
         if self.taken + size > ROOM {
             self.blocks.clear();

@@ -9,8 +9,8 @@ use crate::engine::arithmetic::span::offset;
 use crate::engine::fault::Fault;
 use crate::engine::parse::Parser;
 use crate::engine::planted::{self, Bug};
+use crate::engine::slot::Slot;
 use crate::engine::text::Lines;
-use crate::engine::words::Slot;
 
 use super::head::Head;
 use super::kept::KeptBlock;
