@@ -242,11 +242,11 @@ impl Builder<'_, '_, '_> {
         match self.choices.below(10) {
             0..=4 if !off.is_empty() => {
                 let place = off[self.choices.below(off.len())];
-                self.switch(CODES[place].0);
+                self.fitting(|builder| builder.switch(CODES[place].0));
             }
             5 => {
                 let place = self.choices.below(2);
-                self.switch(CODES[place].1);
+                self.fitting(|builder| builder.switch(CODES[place].1));
             }
             6 if !self.state.is_eia() && self.allows(Feature::SystemVariable) => {
                 let item = self.barrier_variable();
@@ -254,6 +254,20 @@ impl Builder<'_, '_, '_> {
             }
             _ => self.edge(),
         }
+    }
+
+    /// Switches barriers on at the beginning of a program, where the tool stands outside.
+    pub(crate) fn guarded(&mut self) -> bool {
+        self.begin();
+        let place = self.choices.below(2);
+        let both = self.choices.chance(50);
+        for place in [place, 1 - place].into_iter().take(1 + usize::from(both)) {
+            if !self.is_inside(place) {
+                self.fitting(|builder| builder.switch(CODES[place].0));
+                self.begin();
+            }
+        }
+        true
     }
 
     /// A block with a code of a barrier, often with a motion.

@@ -207,6 +207,10 @@ impl<'b, 'c, 'd> Builder<'b, 'c, 'd> {
         if !fault.is_some_and(faults::is_first) && self.allows(Feature::ProgramName) {
             self.within_profile(ATTEMPTS, Self::beginning);
         }
+        let guarded = self.state.barriers.is_wanted() && !fault.is_some_and(faults::is_first);
+        if guarded && self.choices.chance(75) {
+            self.within_profile(1, Self::guarded);
+        }
         self.left = size;
         self.due = fault.map(|fault| (place, fault));
         while self.left > 0 {

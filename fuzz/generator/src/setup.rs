@@ -38,7 +38,7 @@ fn unusual(setup: &mut Setup, choices: &mut Choices<'_, '_>, profile: &Profile) 
     amounts(setup, choices, profile);
     limits(setup, choices, profile);
     spindle(setup, choices, profile);
-    if choices.chance(16) && allows(Feature::Barrier) {
+    if choices.chance(18) && allows(Feature::Barrier) {
         setup.barriers = barriers(choices);
     }
     setup.readings = if profile.allows_readings() { readings(choices) } else { Readings::default() };

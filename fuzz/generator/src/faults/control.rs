@@ -32,8 +32,9 @@ impl Builder<'_, '_, '_> {
             Fault::ProgramNameMalformed | Fault::ProgramNameReserved => {
                 calls && self.choices.chance(40) && self.called_by_a_wrong_name(fault)
             }
-            Fault::Unspecified if calls && self.choices.chance(30) => self.not_described_of_modes(),
+            Fault::Unspecified if calls && self.choices.chance(35) => self.not_described_of_modes(),
             Fault::Unspecified if self.choices.chance(20) => self.statement_behind_a_corner(),
+            Fault::AngleLookahead if self.choices.chance(35) => self.statement_behind_a_corner(),
             _ => false,
         }
     }

@@ -40,7 +40,7 @@ fn special(setup: &Setup) -> Vec<Fault> {
         (!setup.nose_radius.is_empty(), Fault::TravelLimitNegative),
         (!setup.nose_radius.is_empty(), Fault::TravelLimitPositive),
         (setup.options.user_task == 1, Fault::UserTaskLevel),
-        (setup.parameters.call_depth != 8, Fault::CallDepth),
+        (setup.parameters.call_depth == 1, Fault::CallDepth),
         (setup.barriers != Setup::default().barriers, Fault::Barrier),
         (!setup.inputs.turret_clamp_confirmed, Fault::TurretClamp),
         (setup::is_over_time(setup), Fault::StmOver),
