@@ -74,7 +74,7 @@ impl<'a> Run<'a> {
             Ok(Progress::Going) => {}
             Ok(Progress::Ended) => self.ending = Some(Ending::End),
             Err(fault) => {
-                let alarm = Emission::new(Action::Alarm(fault.alarm), fault.rules);
+                let alarm = Emission::new(Action::Alarm(fault.alarm), fault.rules).readings(fault.readings);
                 self.send(fault.block.unwrap_or(place), alarm, sink);
                 self.ending = Some(Ending::Alarm);
             }
@@ -111,6 +111,9 @@ impl<'a> Run<'a> {
             Content::Nothing | Content::Name => return Ok(Progress::Going),
             Content::Statement(statement) => {
                 return self.statement(&statement, block, stream).map(|()| Progress::Going);
+            }
+            Content::Communication(statement) => {
+                return self.communicate(&statement, stream).map(|()| Progress::Going);
             }
             Content::Words(words) => *words,
             Content::Items(items) => {

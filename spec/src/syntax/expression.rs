@@ -1,7 +1,7 @@
 //! Expressions, one function a level of precedence (E100L-MATH-17, E100L-AEXP-05, E100L-AEXP-06, E100L-AEXP-07).
 
 use super::cursor::Cursor;
-use super::items::{has_blanks, local_name, not_has_blanks, variable};
+use super::items::{Role, has_blanks, local_name, not_has_blanks, variable};
 use super::number;
 use super::tree::{BinaryOperator, Expression, Function, Variable};
 use crate::controls::e100l::addresses::{EXTENDED, EXTENDED_LATER, OPERATOR_WORDS, STATEMENTS};
@@ -98,7 +98,9 @@ fn primary(cursor: &mut Cursor, setup: &Setup) -> Outcome<Expression> {
             close_bracket(cursor)?;
             Ok(inner)
         }
-        Some(b'V') if cursor.run() != "VSET" => Ok(Expression::Variable(Box::new(variable(cursor, setup)?))),
+        Some(b'V') if cursor.run() != "VSET" => {
+            Ok(Expression::Variable(Box::new(variable(cursor, setup, Role::Read)?)))
+        }
         Some(b'A'..=b'Z') => named(cursor, setup),
         _ => Err(cursor.unexpected()),
     }

@@ -17,6 +17,8 @@ pub struct Character {
     pub offset: u32,
     /// Whether its byte breaks the parity, or is no character of the code.
     pub faulty: bool,
+    /// Whether it is the mark of a continuation, which reads as a blank.
+    pub continues: bool,
 }
 
 /// The text of one block: a line and its continuations.
@@ -88,6 +90,7 @@ impl<'a> Source<'a> {
                 let mut characters = continuation.characters;
                 if let Some(mark) = characters.first_mut() {
                     mark.code = b' ';
+                    mark.continues = true;
                 }
                 line.length += continuation.length;
                 line.characters.append(&mut characters);
@@ -167,7 +170,8 @@ impl<'a> Source<'a> {
         while let Some(&byte) = self.bytes.get(self.position) {
             let code = self.character(byte);
             let faulty = self.is_faulty(byte);
-            let character = Character { code: code.unwrap_or(0), offset: offset(self.position), faulty };
+            let (code, offset_here) = (code.unwrap_or(0), offset(self.position));
+            let character = Character { code, offset: offset_here, faulty, continues: false };
             self.position += 1;
             if character.code == b'\n' {
                 if faulty {

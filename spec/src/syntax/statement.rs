@@ -1,11 +1,12 @@
 //! Statements: a keyword or a macro code at the beginning of a block, and what must follow it (E100L-CTL-01 to -07).
 
+use super::communication::communication;
 use super::cursor::{Cursor, is_blank_after};
 use super::expression::{close_bracket, expression, is_reserved};
 use super::grammar::{called_name, sequence_name};
 use super::items::{self, local_name};
 use super::tree::{Address, Body, Callee, Condition, Function, Item, ItemKind, Statement, Value};
-use crate::controls::e100l::addresses::{DELIMITED, STATEMENTS, STATEMENTS_LATER};
+use crate::controls::e100l::addresses::{DELIMITED, OF_SCHEDULES, STATEMENTS};
 use crate::controls::e100l::macros::{self, Macro};
 use crate::fault::{Fault, Outcome, fail};
 use crate::vocabulary::rule_ids::*;
@@ -39,13 +40,16 @@ fn keyword(cursor: &mut Cursor) -> Outcome<Option<&'static str>> {
 }
 
 fn of_keyword(keyword: &str, cursor: &mut Cursor, setup: &Setup) -> Outcome<Body> {
-    if STATEMENTS_LATER.contains(&keyword) {
-        return Err(Fault::about(AlarmName::NotModelled, GCODE_03, keyword));
+    if OF_SCHEDULES.contains(&keyword) {
+        return Err(Fault::about(AlarmName::ScheduleStatement, SDF_02, keyword));
     }
     if keyword == "IF" {
         return branch(cursor, setup).map(Body::Statement);
     }
     delimited(keyword, cursor)?;
+    if let Some(communication) = communication(keyword, cursor, setup)? {
+        return Ok(Body::Communication(communication));
+    }
     Ok(Body::Statement(match keyword {
         "GOTO" => Statement::Goto(destination(cursor, GOTO_01)?),
         "CALL" => Statement::Call(callee(cursor, CALL_01)?, settings(cursor, setup, CALL_01)?),
@@ -91,7 +95,8 @@ fn destination(cursor: &mut Cursor, rule: RuleId) -> Outcome<Label> {
     Ok(name)
 }
 
-fn nothing_more(cursor: &mut Cursor, rule: RuleId) -> Outcome<()> {
+/// Nothing but blanks to the end of the block.
+pub(super) fn nothing_more(cursor: &mut Cursor, rule: RuleId) -> Outcome<()> {
     cursor.skip_blanks()?;
     if cursor.peek().is_some() { fail(AlarmName::Format, rule) } else { Ok(()) }
 }
@@ -143,7 +148,7 @@ fn settings(cursor: &mut Cursor, setup: &Setup, rule: RuleId) -> Outcome<Vec<Ite
     let mut settings = Vec::new();
     while let Some(item) = items::any(cursor, setup)? {
         let address = match &item.kind {
-            ItemKind::Assignment(..) => {
+            ItemKind::Assignment(..) | ItemKind::Comment(..) => {
                 settings.push(item);
                 continue;
             }

@@ -29,6 +29,37 @@ pub enum Body {
     Noex(Vec<Item>),
     /// A statement (E100L-CTL-01).
     Statement(Statement),
+    /// A statement of data communication (E100L-RDWR-01, E100L-GPUT-01).
+    Communication(Communication),
+}
+
+/// A statement of data communication.
+#[derive(Clone, PartialEq, Debug)]
+pub enum Communication {
+    /// `READ` and a channel (E100L-RDWR-01).
+    Read(u8),
+    /// `WRITE` and a channel (E100L-RDWR-02).
+    Write(u8),
+    /// `GET`, a variable and the number of characters; without a number all that are left (E100L-GPUT-03).
+    Get(Variable, Option<usize>),
+    /// `GET` of characters that are passed over (E100L-GPUT-02).
+    Skip(usize),
+    /// `PUT` of a variable in so many characters (E100L-GPUT-07).
+    Put(Variable, usize),
+    /// `PUT` of characters: blanks, a string or codes (E100L-GPUT-08 to -10).
+    Append(Vec<u8>),
+}
+
+impl Communication {
+    /// Its keyword.
+    pub fn keyword(&self) -> &'static str {
+        match self {
+            Self::Read(_) => "READ",
+            Self::Write(_) => "WRITE",
+            Self::Get(..) | Self::Skip(_) => "GET",
+            Self::Put(..) | Self::Append(_) => "PUT",
+        }
+    }
 }
 
 /// A statement that tells which block comes next; the items behind it are all assignments.
@@ -97,8 +128,37 @@ pub enum ItemKind {
     Word(Address, Value),
     /// A variable setting (E100L-AEXP-01).
     Assignment(Variable, Expression),
+    /// Characters for the comment of user alarms, from a position on (E100L-VUACM-01).
+    Comment(Expression, Characters),
     /// The mnemonic CALRG (E100L-CIRC-18).
     MajorArc,
+}
+
+impl ItemKind {
+    /// Whether it sets a variable.
+    pub fn is_assignment(&self) -> bool {
+        matches!(self, Self::Assignment(..) | Self::Comment(..))
+    }
+}
+
+/// The characters that a string stands for.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Characters {
+    /// Their codes.
+    pub codes: Vec<u8>,
+    /// How they were written.
+    pub form: StringForm,
+}
+
+/// How a string is written.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum StringForm {
+    /// As it is.
+    Plain,
+    /// Behind `^`, which makes its letters lower case (E100L-GPUT-13, E100L-VUACM-05).
+    LowerCase,
+    /// As codes (E100L-VUACM-04).
+    Codes,
 }
 
 /// The address of a word.
