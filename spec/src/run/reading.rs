@@ -79,7 +79,7 @@ impl<'a> Reader<'a> {
         if program.began && self.begins_program(&read) {
             *place = here;
             // E100L-RTS-01: of the block that the next program begins with nothing is checked.
-            return if program.caller.is_some() {
+            return if program.caller.is_some() || program.selected {
                 Err(end(program))
             } else {
                 self.block(read, program, place)
@@ -90,7 +90,7 @@ impl<'a> Reader<'a> {
     }
 
     /// E100L-GOTO-03: one step more.
-    fn step(&mut self, block: Place, place: &mut Place) -> Outcome<()> {
+    pub fn step(&mut self, block: Place, place: &mut Place) -> Outcome<()> {
         *place = block;
         if self.steps >= self.setup.limits.steps {
             return Err(Fault::new(AlarmName::StepLimit, GOTO_03));

@@ -76,7 +76,7 @@ impl Run<'_> {
     }
 
     /// E100L-IFST-01, E100L-IFST-02, E100L-IFST-04: every value but zero is true, and every name that has an entry.
-    fn holds(&mut self, condition: &Condition) -> Outcome<bool> {
+    pub(super) fn holds(&mut self, condition: &Condition) -> Outcome<bool> {
         match condition {
             Condition::Value(expression) => Ok(task::evaluate(expression, &mut self.state)?.real() != 0.0),
             Condition::Registered(name) => Ok(self.state.memory.locals.get(*name).is_some()),

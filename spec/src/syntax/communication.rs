@@ -5,10 +5,39 @@ use super::expression::is_reserved;
 use super::items::{Role, local_name, may_be_written, variable};
 use super::statement::nothing_more;
 use super::string::{codes, string};
-use super::tree::{Communication, Function, Variable};
+use super::tree::{Function, Variable};
 use crate::fault::{Outcome, fail};
 use crate::vocabulary::rule_ids::*;
 use crate::vocabulary::{AlarmName, RuleId, Setup};
+
+/// A statement of data communication.
+#[derive(Clone, PartialEq, Debug)]
+pub enum Communication {
+    /// `READ` and a channel (E100L-RDWR-01).
+    Read(u8),
+    /// `WRITE` and a channel (E100L-RDWR-02).
+    Write(u8),
+    /// `GET`, a variable and the number of characters; without a number all that are left (E100L-GPUT-03).
+    Get(Variable, Option<usize>),
+    /// `GET` of characters that are passed over (E100L-GPUT-02).
+    Skip(usize),
+    /// `PUT` of a variable in so many characters (E100L-GPUT-07).
+    Put(Variable, usize),
+    /// `PUT` of characters: blanks, a string or codes (E100L-GPUT-08 to -10).
+    Append(Vec<u8>),
+}
+
+impl Communication {
+    /// Its keyword.
+    pub fn keyword(&self) -> &'static str {
+        match self {
+            Self::Read(_) => "READ",
+            Self::Write(_) => "WRITE",
+            Self::Get(..) | Self::Skip(_) => "GET",
+            Self::Put(..) | Self::Append(_) => "PUT",
+        }
+    }
+}
 
 /// E100L-GPUT-09, E100L-GPUT-10: how many characters one PUT appends as a string or as codes.
 const LONGEST: usize = 16;

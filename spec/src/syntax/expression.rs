@@ -85,12 +85,7 @@ fn signed(cursor: &mut Cursor, setup: &Setup) -> Outcome<Expression> {
 
 fn primary(cursor: &mut Cursor, setup: &Setup) -> Outcome<Expression> {
     match cursor.peek() {
-        Some(b'0'..=b'9' | b'.') => {
-            let constant = number::constant(cursor)?;
-            // E100L-TYPE-02: eight digits always fit.
-            let integer = i32::try_from(constant.digits).ok().filter(|_| !constant.point);
-            Ok(integer.map_or(Expression::Real(constant), Expression::Integer))
-        }
+        Some(b'0'..=b'9' | b'.') => constant(cursor),
         Some(b'$') => number::hexadecimal(cursor).map(Expression::Integer),
         Some(b'[') => {
             cursor.advance(1);
@@ -104,6 +99,14 @@ fn primary(cursor: &mut Cursor, setup: &Setup) -> Outcome<Expression> {
         Some(b'A'..=b'Z') => named(cursor, setup),
         _ => Err(cursor.unexpected()),
     }
+}
+
+/// E100L-TYPE-02, E100L-TYPE-03: a constant, at its first digit or its point.
+pub fn constant(cursor: &mut Cursor) -> Outcome<Expression> {
+    let constant = number::constant(cursor)?;
+    // Eight digits always fit.
+    let integer = i32::try_from(constant.digits).ok().filter(|_| !constant.point);
+    Ok(integer.map_or(Expression::Real(constant), Expression::Integer))
 }
 
 fn named(cursor: &mut Cursor, setup: &Setup) -> Outcome<Expression> {

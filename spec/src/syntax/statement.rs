@@ -44,7 +44,8 @@ fn of_keyword(keyword: &str, cursor: &mut Cursor, setup: &Setup) -> Outcome<Body
         return Err(Fault::about(AlarmName::ScheduleStatement, SDF_02, keyword));
     }
     if keyword == "IF" {
-        return branch(cursor, setup).map(Body::Statement);
+        let (condition, name) = branch(cursor, setup)?;
+        return Ok(Body::Statement(Statement::If(condition, name)));
     }
     delimited(keyword, cursor)?;
     if let Some(communication) = communication(keyword, cursor, setup)? {
@@ -67,11 +68,11 @@ fn of_keyword(keyword: &str, cursor: &mut Cursor, setup: &Setup) -> Outcome<Body
 }
 
 /// E100L-CTL-03: what follows a keyword is a blank or the end of the block.
-fn delimited(keyword: &str, cursor: &Cursor) -> Outcome<()> {
+pub(super) fn delimited(keyword: &str, cursor: &Cursor) -> Outcome<()> {
     if is_blank_after(cursor.peek()) { Ok(()) } else { Err(undelimited(keyword)) }
 }
 
-fn undelimited(keyword: &str) -> Fault {
+pub(super) fn undelimited(keyword: &str) -> Fault {
     Fault::about(AlarmName::StatementDelimiterMissing, CTL_03, keyword)
 }
 
@@ -84,7 +85,7 @@ fn delimited_name(name: Label, cursor: &Cursor) -> Outcome<Label> {
 }
 
 /// A sequence name, and nothing behind it.
-fn destination(cursor: &mut Cursor, rule: RuleId) -> Outcome<Label> {
+pub(super) fn destination(cursor: &mut Cursor, rule: RuleId) -> Outcome<Label> {
     cursor.skip_blanks()?;
     // E100L-NOEX-01: NOEX is a keyword here too.
     if cursor.peek() != Some(b'N') || cursor.run() == "NOEX" {
@@ -102,7 +103,7 @@ pub(super) fn nothing_more(cursor: &mut Cursor, rule: RuleId) -> Outcome<()> {
 }
 
 /// E100L-IFST-01, E100L-IFST-02: a condition, and a sequence name with or without `GOTO`.
-fn branch(cursor: &mut Cursor, setup: &Setup) -> Outcome<Statement> {
+pub(super) fn branch(cursor: &mut Cursor, setup: &Setup) -> Outcome<(Condition, Label)> {
     cursor.skip_blanks()?;
     let condition = if cursor.take(b'[') {
         // E100L-CTL-04: a bracket needs no blank in front.
@@ -119,7 +120,7 @@ fn branch(cursor: &mut Cursor, setup: &Setup) -> Outcome<Statement> {
         cursor.advance(goto.len());
         delimited(goto, cursor)?;
     }
-    Ok(Statement::If(condition, destination(cursor, IFST_01)?))
+    Ok((condition, destination(cursor, IFST_01)?))
 }
 
 /// E100L-IFST-02, E100L-LVAR-02: the local name that IF asks for.

@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 
+use super::communication::Communication;
 use crate::controls::e100l::system_variables::SystemVariable;
 use crate::vocabulary::Label;
 
@@ -31,35 +32,6 @@ pub enum Body {
     Statement(Statement),
     /// A statement of data communication (E100L-RDWR-01, E100L-GPUT-01).
     Communication(Communication),
-}
-
-/// A statement of data communication.
-#[derive(Clone, PartialEq, Debug)]
-pub enum Communication {
-    /// `READ` and a channel (E100L-RDWR-01).
-    Read(u8),
-    /// `WRITE` and a channel (E100L-RDWR-02).
-    Write(u8),
-    /// `GET`, a variable and the number of characters; without a number all that are left (E100L-GPUT-03).
-    Get(Variable, Option<usize>),
-    /// `GET` of characters that are passed over (E100L-GPUT-02).
-    Skip(usize),
-    /// `PUT` of a variable in so many characters (E100L-GPUT-07).
-    Put(Variable, usize),
-    /// `PUT` of characters: blanks, a string or codes (E100L-GPUT-08 to -10).
-    Append(Vec<u8>),
-}
-
-impl Communication {
-    /// Its keyword.
-    pub fn keyword(&self) -> &'static str {
-        match self {
-            Self::Read(_) => "READ",
-            Self::Write(_) => "WRITE",
-            Self::Get(..) | Self::Skip(_) => "GET",
-            Self::Put(..) | Self::Append(_) => "PUT",
-        }
-    }
 }
 
 /// A statement that tells which block comes next; the items behind it are all assignments.
