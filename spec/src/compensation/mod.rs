@@ -114,10 +114,14 @@ impl Compensation {
 
     /// M02 or M30: the last motion ends in contact, and the axes stay there (E100L-NRC-44).
     pub fn end_of_program(&mut self, stream: &mut Stream, state: &State) -> Outcome<()> {
-        if let Self::On(on) = std::mem::take(self) {
-            on.conclude(NRC_44, None, stream, state.setup)?;
-            stream.holding = false;
-        }
+        *self = match std::mem::take(self) {
+            Self::On(on) => {
+                on.conclude(NRC_44, None, stream, state.setup)?;
+                stream.holding = false;
+                Self::Off
+            }
+            other => other,
+        };
         Ok(())
     }
 }
