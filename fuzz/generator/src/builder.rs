@@ -5,6 +5,7 @@ use turnspec_oracle::vocabulary::Feature;
 use crate::choices::Choices;
 use crate::control;
 use crate::faults::{self, Fault};
+use crate::io;
 use crate::print;
 use crate::profile::Profile;
 use crate::program::{Block, Item, Line};
@@ -30,6 +31,8 @@ pub(crate) struct Builder<'b, 'c, 'd> {
     pub(crate) nesting: usize,
     /// Blocks that the program may still get.
     left: usize,
+    /// Whether a fault came behind which nothing is to come.
+    spoilt: bool,
     /// The fault that is to come, and after how many blocks.
     due: Option<(usize, Fault)>,
     /// The kinds of blocks with their weights.
@@ -60,6 +63,7 @@ pub(crate) enum Kind {
     Cancel,
     Control,
     Barrier,
+    Io,
 }
 
 const KINDS: &[(usize, Kind)] = &[
@@ -87,6 +91,9 @@ const CONTROL: usize = 44;
 /// How often a block goes to the edge of a barrier, in programs that are to have barriers.
 const BARRIER: usize = 24;
 
+/// How often a block is one of input and output, in programs that are to have it.
+const IO: usize = 40;
+
 /// The most constructions of control flow within each other.
 const NESTING: usize = 6;
 
@@ -110,6 +117,7 @@ impl Kind {
             Self::StartUp | Self::Idle | Self::Cancel => any(&[Feature::RadiusCompensation]),
             Self::Control => control::is_within(profile),
             Self::Barrier => any(&[Feature::Barrier]),
+            Self::Io => io::is_within(profile),
         }
     }
 }
@@ -126,7 +134,9 @@ impl<'b, 'c, 'd> Builder<'b, 'c, 'd> {
         let start_ups = if choices.chance(40) { many } else { few };
         let control = if choices.chance(50) { CONTROL } else { 0 };
         let barrier = if state.barriers.is_wanted() { BARRIER } else { 0 };
-        let special = [(start_ups, Kind::StartUp), (control, Kind::Control), (barrier, Kind::Barrier)];
+        let io = if state.io.is_wanted() { IO } else { 0 };
+        let special =
+            [(start_ups, Kind::StartUp), (control, Kind::Control), (barrier, Kind::Barrier), (io, Kind::Io)];
         let kinds = KINDS.iter().copied().chain(special);
         let kinds = kinds.filter(|(_, kind)| kind.is_within(&profile)).collect();
         state.environment.restrict(&profile);
@@ -140,15 +150,17 @@ impl<'b, 'c, 'd> Builder<'b, 'c, 'd> {
             control,
             nesting: 0,
             left: 0,
+            spoilt: false,
             due: None,
             kinds,
         }
     }
 
-    /// The same without control flow.
+    /// The same without control flow, input and output.
     pub(crate) fn straight_on(mut self) -> Self {
         self.control = 0;
-        self.kinds.retain(|(_, kind)| !matches!(kind, Kind::Control));
+        self.state.setup.schedule = false;
+        self.kinds.retain(|(_, kind)| !matches!(kind, Kind::Control | Kind::Io));
         self
     }
 
@@ -195,6 +207,9 @@ impl<'b, 'c, 'd> Builder<'b, 'c, 'd> {
 
     /// Writes the whole program.
     pub(crate) fn build(&mut self) {
+        if self.state.setup.schedule {
+            return self.build_schedule();
+        }
         let size = 1 + self.choices.below(40).min(1 + self.choices.below(40));
         let faulty = self.choices.chance(35) && self.allows(Feature::Alarm);
         let fault = faulty.then(|| faults::choose(self.choices, &self.state.setup));
@@ -236,6 +251,7 @@ impl<'b, 'c, 'd> Builder<'b, 'c, 'd> {
                 self.due = None;
                 if self.try_fault(fault) {
                     self.left = 0;
+                    self.spoilt = true;
                 }
             }
             Some((place, _)) => *place -= 1,
@@ -247,6 +263,29 @@ impl<'b, 'c, 'd> Builder<'b, 'c, 'd> {
         if self.left > 0 {
             self.within_profile(ATTEMPTS, Self::next_block);
         }
+    }
+
+    /// A fault that comes after a number of blocks.
+    pub(crate) fn fault_in(&mut self, fault: Fault, place: usize) {
+        self.due = (!faults::is_first(fault)).then_some((place, fault));
+    }
+
+    /// Whether a fault was placed behind which nothing more is to come.
+    pub(crate) fn is_spoilt(&self) -> bool {
+        self.spoilt
+    }
+
+    /// Adds about so many blocks.
+    pub(crate) fn grow_blocks(&mut self, count: usize) {
+        self.left = count;
+        while self.left > 0 {
+            self.grow_block();
+        }
+    }
+
+    /// Allows so many blocks more.
+    pub(crate) fn allow_blocks(&mut self, count: usize) {
+        self.left = count;
     }
 
     /// Lets the program end here.
@@ -296,7 +335,7 @@ impl<'b, 'c, 'd> Builder<'b, 'c, 'd> {
     }
 
     /// M02 or M30, with what may stand beside and after it.
-    fn ending(&mut self) -> bool {
+    pub(crate) fn ending(&mut self) -> bool {
         self.begin();
         let mut items = Vec::new();
         if self.choices.chance(10) {
@@ -371,6 +410,7 @@ impl<'b, 'c, 'd> Builder<'b, 'c, 'd> {
             }
             Kind::Control => self.auxiliary(),
             Kind::Barrier => self.barrier(),
+            Kind::Io => self.io(),
         }
     }
 
@@ -390,7 +430,7 @@ impl<'b, 'c, 'd> Builder<'b, 'c, 'd> {
     /// Adds a block of these words, in another order now and then.
     pub(crate) fn push(&mut self, mut items: Vec<Item>) {
         self.state.compensation.note_block(&items);
-        let assigns = items.iter().any(|item| matches!(item, Item::Assignment(..)));
+        let assigns = items.iter().any(|item| matches!(item, Item::Assignment(..) | Item::Comment(..)));
         if !assigns && self.choices.chance(15) {
             self.choices.shuffle(&mut items);
         }

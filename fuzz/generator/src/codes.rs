@@ -93,9 +93,6 @@ pub const G_UNASSIGNED: &[i64] = &[
     114, 200, 215, 999,
 ];
 
-/// Statements that are not modelled (E100L-GCODE-03).
-pub const STATEMENTS: &[&str] = &["READ 1", "WRITE 1", "GET", "PUT", "PSELECT", "VSET V1=1", "END"];
-
 /// An M code without group; `place` counts through all of them.
 #[must_use]
 pub fn single_m(place: usize) -> i64 {

@@ -6,6 +6,7 @@ use turnspec_oracle::vocabulary::{Feature, UnitSystem};
 
 use crate::choices::Choices;
 use crate::expression::{Expression, Variable};
+use crate::io::{INTERFERENCE, unset};
 use crate::number::Number;
 use crate::profile::Profile;
 use crate::unit::{Estimate, Units};
@@ -25,6 +26,10 @@ pub struct Environment {
     pub system: Vec<(&'static str, Estimate)>,
     /// Tool offsets in nanometres, X and Z.
     pub tool_offsets: BTreeMap<u8, [i64; 2]>,
+    /// Inputs that always show the same: variable, number, value.
+    pub inputs: Vec<(&'static str, u16, i32)>,
+    /// Tool interference data that were written.
+    pub stored: BTreeMap<(&'static str, u8), Estimate>,
     /// Number of tool offsets.
     pub offset_sets: u8,
     /// Whether boolean operators and functions may be used.
@@ -54,6 +59,8 @@ impl Environment {
             shared: false,
             system: Vec::new(),
             tool_offsets: BTreeMap::new(),
+            inputs: Vec::new(),
+            stored: BTreeMap::new(),
             offset_sets,
             user_task_2,
             profile: Profile::FULL,
@@ -97,6 +104,12 @@ impl Environment {
     #[must_use]
     pub fn value(&self, variable: &Variable) -> Option<Estimate> {
         match variable {
+            Variable::Indexed(name @ ("VDIN" | "VIRD" | "VORD"), suffix) => {
+                let number = suffix.estimate(self)?.to_f64().round();
+                let input =
+                    self.inputs.iter().find(|(known, place, _)| known == name && f64::from(*place) == number);
+                input.map(|(.., value)| Estimate::Integer(*value))
+            }
             Variable::Common(_) | Variable::Indexed(..) if self.shared => None,
             Variable::Common(number) if self.unknown.contains(number) => None,
             Variable::Local(name) => self.local.get(name).copied().map(Estimate::Real),
@@ -108,6 +121,9 @@ impl Environment {
             }
             Variable::Indexed(name, suffix) => {
                 let number = u8::try_from(suffix.estimate(self)?.to_f64().round() as i64).ok()?;
+                if let Some(unset) = unset(name, self.units) {
+                    return Some(self.stored.get(&(*name, number)).copied().unwrap_or(unset));
+                }
                 let axis = match *name {
                     "VTOFX" => 0,
                     "VTOFZ" => 1,
@@ -132,6 +148,26 @@ impl Environment {
     pub fn some_local(&self, choices: &mut Choices<'_, '_>) -> Variable {
         let known: Vec<&str> = self.local.keys().copied().collect();
         if known.is_empty() { self.some_common(choices) } else { Variable::Local(choices.pick(&known)) }
+    }
+
+    /// An input that always shows the same; a common variable when there is none.
+    pub fn some_input(&self, choices: &mut Choices<'_, '_>) -> Variable {
+        if self.inputs.is_empty() {
+            return self.some_common(choices);
+        }
+        let (name, number, _) = choices.pick(&self.inputs);
+        Variable::Indexed(name, Box::new(Expression::Constant(Number::whole(number.into()))))
+    }
+
+    /// A variable of the tool interference data, often one that was written.
+    pub fn some_stored(&self, choices: &mut Choices<'_, '_>) -> Variable {
+        let written: Vec<_> = self.stored.keys().copied().collect();
+        let (name, number) = if written.is_empty() || choices.chance(25) {
+            (choices.pick(INTERFERENCE).0, choices.within(1, 12) as u8)
+        } else {
+            choices.pick(&written)
+        };
+        Variable::Indexed(name, Box::new(Expression::Constant(Number::whole(number.into()))))
     }
 
     /// A system variable whose value is known.

@@ -203,7 +203,19 @@ impl Expression {
         let variables = weight(20, Feature::Variable);
         let system = weight(15, Feature::SystemVariable);
         let local = if environment.local.is_empty() { 0 } else { weight(20, Feature::LocalVariable) };
-        match choices.weighted(&[(35, 0), (25, 1), (5, 2), (variables, 3), (system, 4), (local, 5)]) {
+        let inputs =
+            if environment.inputs.is_empty() { 0 } else { weight(10, Feature::InputOutput).min(system) };
+        let stored = if environment.stored.is_empty() || environment.shared { 0 } else { system / 2 };
+        match choices.weighted(&[
+            (35, 0),
+            (25, 1),
+            (5, 2),
+            (variables, 3),
+            (system, 4),
+            (local, 5),
+            (inputs, 6),
+            (stored, 7),
+        ]) {
             0 => Self::Constant(Number::whole(choices.within(0, 360))),
             1 => {
                 let decimals = choices.within(1, 4) as u8;
@@ -213,6 +225,8 @@ impl Expression {
             2 => Self::Hex(choices.pick(&[0x25, 0x10, 0xFF, 0x1234, 0, 0x99, 0xFFFF_FFFF, 0x7FFF_FFFF])),
             3 => Self::Variable(environment.some_common(choices)),
             5 => Self::Variable(environment.some_local(choices)),
+            6 => Self::Variable(environment.some_input(choices)),
+            7 => Self::Variable(environment.some_stored(choices)),
             _ => Self::Variable(environment.some_system(choices)),
         }
     }

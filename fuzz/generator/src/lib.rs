@@ -28,6 +28,7 @@ mod expression;
 mod faults;
 mod formulas;
 mod geometry;
+mod io;
 mod motion;
 mod needs;
 mod nudged;
@@ -40,6 +41,7 @@ mod profile;
 mod program;
 mod respelled;
 mod scan;
+mod schedule;
 mod setup;
 mod shrink;
 mod state;
@@ -57,7 +59,9 @@ pub use formulas::Formulas;
 pub use nudged::Nudged;
 pub use number::Number;
 pub use profile::Profile;
-pub use program::{Block, Condition, Item, Line, Program, Statement, Value, Word};
+pub use program::{
+    Block, Caret, Condition, Item, Line, Program, Repetitions, Selection, Sent, Statement, Text, Value, Word,
+};
 pub use respelled::{Remarked, Respelled};
 pub use shrink::shrink;
 pub use tape::{decode, encode};

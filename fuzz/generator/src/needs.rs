@@ -2,6 +2,7 @@
 
 use turnspec_oracle::vocabulary::{AxisAmounts, Feature, Setup, TapeCode, UnitSystem};
 
+use crate::io::INTERFERENCE;
 use crate::profile::Features;
 
 /// What an M code needs that is not known.
@@ -62,6 +63,14 @@ pub(crate) fn of_g_code(code: i64) -> &'static [Feature] {
 /// What a system variable needs.
 pub(crate) fn of_system_variable(name: &[u8]) -> Features {
     let mut needs = Features::of(&[Feature::SystemVariable]);
+    match name {
+        b"VDIN" | b"VDOUT" | b"VIRD" | b"VORD" => needs.add(&[Feature::InputOutput]),
+        b"VUACM" => needs.add(&[Feature::UserAlarm]),
+        _ => {}
+    }
+    if INTERFERENCE.iter().any(|(known, ..)| known.as_bytes() == name) {
+        return needs;
+    }
     match name.get(..4).unwrap_or(name) {
         b"VZSH" => needs.add(&[Feature::ZeroShift]),
         b"VPVL" | b"VNVL" => needs.add(&[Feature::Limits]),
@@ -83,6 +92,8 @@ pub(crate) fn of_setup(setup: &Setup) -> Features {
     let (c_start, w_start) = axis(setup.start);
     let (c_zero, w_zero) = axis(setup.zero_offset);
     let limits = &setup.limits;
+    let shown = &setup.inputs;
+    let inputs = !shown.vdin.is_empty() || !shown.vird.is_empty() || !shown.vord.is_empty();
     let list = [
         (setup.unit_system != UnitSystem::Millimetre, Feature::Units),
         (setup.tape.code != TapeCode::Ascii, Feature::TapeCode),
@@ -106,6 +117,13 @@ pub(crate) fn of_setup(setup: &Setup) -> Features {
         (!setup.inputs.turret_clamp_confirmed, Feature::Turret),
         (setup.inputs.restart, Feature::SystemVariable),
         (!setup.variables.is_empty(), Feature::Variable),
+        (setup.schedule, Feature::Schedule),
+        (!setup.devices.is_empty(), Feature::Communication),
+        (setup.parameters.end_code != plain.parameters.end_code, Feature::Communication),
+        (inputs, Feature::InputOutput),
+        (!setup.system_variables.is_empty(), Feature::SystemVariable),
+        (setup.options.tools != plain.options.tools, Feature::SystemVariable),
+        (setup.options.tool_groups != plain.options.tool_groups, Feature::SystemVariable),
     ];
     let mut needs = Features::default();
     for (needed, feature) in list {

@@ -187,6 +187,10 @@ impl Printer<'_, '_, '_> {
                 let equal = if self.vary() { self.spelling(&[" = ", "= ", "\t="]) } else { "=" };
                 format!("{}{equal}{}", variable(self, target), print_expression::text(self, value))
             }
+            Item::Comment(position, text) => {
+                let equal = if self.vary() { self.spelling(&[" = ", "= ", "\t="]) } else { "=" };
+                format!("VUACM[{}]{equal}{}", print_expression::text(self, position), self.string(text))
+            }
             Item::Calrg => "CALRG".to_owned(),
             Item::Raw(text) => (*text).to_owned(),
         }

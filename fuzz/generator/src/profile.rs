@@ -27,6 +27,9 @@ use crate::tape;
 /// | lowest and highest speed of the spindle | `gear` |
 /// | `NOEX`, the limit of the steps of a run | `control-statement` |
 /// | name blocks of programs that are called | `program-name` |
+/// | files of a schedule | `subprogram` |
+/// | what devices send, the end code, strings and codes of `PUT` | `communication` |
+/// | tool interference data, numbers of tools and tool groups | `system-variable` |
 ///
 /// M02 and M30 are always there. Readings other than the default ones occur with every feature allowed, or on
 /// request.

@@ -53,6 +53,80 @@ pub enum Statement {
     Noex,
     /// A macro code.
     Macro(char, i64),
+    /// `READ` of a channel.
+    Read(i64),
+    /// `WRITE` to a channel.
+    Write(i64),
+    /// `GET` with a variable, a length or both.
+    Get(Option<Variable>, Option<i64>),
+    /// `PUT`
+    Put(Sent),
+    /// `VSET`; assignments follow.
+    Vset,
+    /// `PSELECT`
+    Select(Selection),
+    /// `END`
+    End,
+}
+
+/// What `PUT` appends.
+#[derive(Clone, PartialEq, Debug)]
+pub enum Sent {
+    /// The number of a variable in a field of this length.
+    Field(Variable, i64),
+    /// Blanks.
+    Blanks(i64),
+    /// A string.
+    Text(Text),
+    /// Characters by their codes.
+    Codes(Vec<u8>),
+}
+
+/// A string.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Text {
+    /// Where a `^` stands.
+    pub caret: Caret,
+    /// What stands between the marks, a `^` behind the first one left out.
+    pub characters: String,
+}
+
+/// Where the `^` of a string stands, which makes it lower case.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Caret {
+    /// Nowhere.
+    None,
+    /// Before the first mark.
+    Before,
+    /// Behind it.
+    Behind,
+}
+
+/// The items of `PSELECT`; an empty text is an item left out.
+#[derive(Clone, Default, PartialEq, Debug)]
+pub struct Selection {
+    /// The main program file.
+    pub file: String,
+    /// The name of the program, without the `O`.
+    pub program: Option<String>,
+    /// The subprogram file.
+    pub subprograms: String,
+    /// How often.
+    pub repetitions: Repetitions,
+}
+
+/// How `PSELECT` writes a number of repetitions.
+#[derive(Clone, Default, PartialEq, Debug)]
+pub enum Repetitions {
+    /// Not at all.
+    #[default]
+    Once,
+    /// A number behind `Q`.
+    Plain(Number),
+    /// An expression behind `Q=`.
+    Equal(Expression),
+    /// An expression behind `Q` and a blank.
+    Blank(Expression),
 }
 
 /// What `IF` asks.
@@ -73,6 +147,12 @@ impl Statement {
             _ => None,
         }
     }
+
+    /// Whether it is one of READ, WRITE, GET and PUT.
+    #[must_use]
+    pub fn is_communication(&self) -> bool {
+        matches!(self, Self::Read(_) | Self::Write(_) | Self::Get(..) | Self::Put(_))
+    }
 }
 
 /// What stands in a block.
@@ -82,6 +162,8 @@ pub enum Item {
     Word(Word),
     /// An assignment to a variable.
     Assignment(Variable, Expression),
+    /// A string given to a position of the comment of user alarms.
+    Comment(Expression, Text),
     /// `CALRG` (E100L-CIRC-18).
     Calrg,
     /// Text that is printed as it stands.

@@ -100,7 +100,7 @@ fn reorder(program: &Program, choices: &mut Choices<'_, '_>) -> Program {
     let library = program.library.iter_mut().flat_map(|(_, lines)| lines);
     for line in program.lines.iter_mut().chain(library) {
         let Line::Block(block) = line else { continue };
-        let fixed = |item: &Item| matches!(item, Item::Assignment(..) | Item::Raw(_));
+        let fixed = |item: &Item| matches!(item, Item::Assignment(..) | Item::Comment(..) | Item::Raw(_));
         if !block.items.iter().any(fixed) && choices.chance(60) {
             shuffle_words(&mut block.items, choices);
         }

@@ -25,7 +25,7 @@ const FUNCTIONS: [&[u8]; 16] = [
 ];
 
 /// Statements, with what else they need where they name a block or a program.
-const STATEMENTS: [(&[u8], Feature); 7] = [
+const STATEMENTS: [(&[u8], Feature); 13] = [
     (b"GOTO", Feature::ControlStatement),
     (b"IF", Feature::ControlStatement),
     (b"NOEX", Feature::ControlStatement),
@@ -33,11 +33,17 @@ const STATEMENTS: [(&[u8], Feature); 7] = [
     (b"RTS", Feature::Subprogram),
     (b"MODIN", Feature::ModalCall),
     (b"MODOUT", Feature::ModalCall),
+    (b"READ", Feature::Communication),
+    (b"WRITE", Feature::Communication),
+    (b"GET", Feature::Communication),
+    (b"PUT", Feature::Communication),
+    (b"VSET", Feature::Schedule),
+    (b"END", Feature::Schedule),
 ];
 /// Statements and addresses that are not modelled.
-const LATER: [&[u8]; 29] = [
-    b"READ", b"GET", b"PUT", b"END", b"AA", b"AB", b"BC", b"DA", b"DB", b"FA", b"FB", b"IA", b"IB", b"KA",
-    b"KB", b"LA", b"LB", b"RA", b"RB", b"TA", b"TB", b"UA", b"UB", b"WA", b"WB", b"XA", b"XB", b"ZA", b"ZB",
+const LATER: [&[u8]; 25] = [
+    b"AA", b"AB", b"BC", b"DA", b"DB", b"FA", b"FB", b"IA", b"IB", b"KA", b"KB", b"LA", b"LB", b"RA", b"RB",
+    b"TA", b"TB", b"UA", b"UB", b"WA", b"WB", b"XA", b"XB", b"ZA", b"ZB",
 ];
 
 /// What a text needs that begins in a motion mode.
@@ -45,6 +51,10 @@ pub(crate) fn needs_of(text: &[u8], mode: Mode) -> Features {
     let mut scan = Scan { text, at: 0, needs: Features::default(), mode, block: Words::default() };
     if text.first() == Some(&b'$') {
         scan.needs.add(&[Feature::ProgramName]);
+        let header = text.split(|byte| *byte == b'\n').next().unwrap_or_default();
+        if header.windows(4).any(|extension| extension == b".SDF") {
+            scan.needs.add(&[Feature::Schedule]);
+        }
         scan.at = text.iter().position(|byte| *byte == b'\n').unwrap_or(text.len());
         if text.iter().take(scan.at).any(|byte| !(0x20..=0x7E).contains(byte)) {
             scan.needs.add(&[Feature::TapeCode]);
@@ -62,6 +72,8 @@ pub(crate) fn needs_of(text: &[u8], mode: Mode) -> Features {
 struct Words {
     begun: bool,
     statement: bool,
+    /// Whether `'`, `^`, a comma and codes have a function: in PUT, GET and behind VUACM.
+    texts: bool,
     equal: bool,
     dwell: bool,
     shift: bool,
@@ -97,6 +109,9 @@ impl Scan<'_> {
         }
         self.at += 1;
         match byte {
+            b'\'' if self.block.texts => self.string(),
+            b'$' if self.block.texts => self.pass(|byte| byte.is_ascii_hexdigit()),
+            b'^' | b',' if self.block.texts => {}
             b'\n' => self.line_end(),
             b' ' => {}
             b'\t' | b'\r' | 0x08 | 0x7F => self.needs.add(&[Feature::TapeCode]),
@@ -122,6 +137,67 @@ impl Scan<'_> {
         let before = self.text.get(..self.at - 1).unwrap_or_default();
         let last = before.iter().rev().find(|byte| **byte != b' ');
         last.is_some_and(|last| last.is_ascii_digit() || matches!(last, b']' | b'.'))
+    }
+
+    /// The rest of a string.
+    fn string(&mut self) {
+        let all = self.text;
+        let rest = all.get(self.at..).unwrap_or_default();
+        let length = rest.iter().position(|byte| matches!(byte, b'\'' | b'\n')).unwrap_or(rest.len());
+        let text = rest.get(..length).unwrap_or_default();
+        let passed = |byte: &u8| matches!(byte, b'\r' | 0x08 | 0x7F);
+        if text.iter().any(passed) {
+            self.needs.add(&[Feature::TapeCode]);
+        }
+        if text.iter().any(|byte| !(0x20..=0x5F).contains(byte) && !passed(byte)) {
+            self.needs.add(&[Feature::TapeCode, Feature::Alarm]);
+        }
+        self.at += length;
+        if self.peek() == b'\'' {
+            self.at += 1;
+        } else {
+            self.needs.add(&[Feature::Alarm]);
+        }
+    }
+
+    /// The items of PSELECT but for the last one: names of files and of a program.
+    fn selection(&mut self) {
+        let mut commas = 0;
+        while commas < 3 && self.at < self.text.len() {
+            let byte = self.peek();
+            if byte == b'\n' && self.rest().get(1) != Some(&b'$') {
+                return;
+            }
+            self.at += 1;
+            match byte {
+                b',' => commas += 1,
+                b'(' => self.comment(),
+                b'\n' => {
+                    self.needs.add(&[Feature::ProgramName]);
+                    self.at += 1;
+                }
+                b'O' => self.needs.add(&[Feature::ProgramName]),
+                b'\t' | b'\r' | 0x08 | 0x7F => self.needs.add(&[Feature::TapeCode]),
+                b'A'..=b'Z' | b'0'..=b'9' | b' ' | b'.' | b'-' | b':' => {}
+                _ => self.needs.add(&[Feature::Alarm]),
+            }
+        }
+        self.pass(|byte| byte == b' ');
+        if self.peek() == b'Q' {
+            self.at += 1;
+            self.block.equal = true;
+            self.block.begun = true;
+        }
+    }
+
+    /// What an output may need more: user alarms.
+    fn output(&mut self) {
+        let suffix = self.rest().iter().skip_while(|byte| **byte == b' ').skip_while(|byte| **byte == b'[');
+        let digits: Vec<u8> = suffix.take_while(|byte| !matches!(byte, b']' | b'\n')).copied().collect();
+        let number = std::str::from_utf8(&digits).ok().and_then(|digits| digits.trim().parse::<f64>().ok());
+        if number.is_none_or(|number| number > 990.0) {
+            self.needs.add(&[Feature::UserAlarm]);
+        }
     }
 
     fn comment(&mut self) {
@@ -190,7 +266,14 @@ impl Scan<'_> {
         let run = text.get(start..self.at).unwrap_or_default();
         match run {
             [letter] => self.word(*letter),
-            [b'V', ..] => self.needs = self.needs.and(needs::of_system_variable(run)),
+            b"VSET" => self.keyword(run),
+            [b'V', ..] => {
+                self.block.texts |= run == b"VUACM";
+                if run == b"VDOUT" {
+                    self.output();
+                }
+                self.needs = self.needs.and(needs::of_system_variable(run));
+            }
             b"CALRG" => self.needs.add(&[Feature::Arc]),
             _ => self.keyword(run),
         }
@@ -210,9 +293,14 @@ impl Scan<'_> {
             self.needs.add(&[Feature::Expression, Feature::Boolean]);
         } else if FUNCTIONS.contains(&run) {
             self.needs.add(&[Feature::Expression, Feature::Function]);
+        } else if run == b"PSELECT" {
+            self.needs.add(&[Feature::Schedule]);
+            self.selection();
         } else if let Some((_, feature)) = STATEMENTS.iter().find(|(keyword, _)| *keyword == run) {
             self.needs.add(&[*feature]);
             self.block.statement = true;
+            self.block.texts |= *feature == Feature::Communication;
+            self.block.equal |= *feature == Feature::Communication;
         } else if is_local(run) {
             self.needs.add(&[Feature::LocalVariable]);
             self.block.equal = true;

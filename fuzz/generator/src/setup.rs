@@ -9,7 +9,9 @@ use turnspec_oracle::vocabulary::{
 use crate::barriers::barriers;
 use crate::choices::Choices;
 use crate::compensation::nose_radii;
+use crate::io::machine;
 use crate::profile::Profile;
+use crate::schedule;
 
 /// A set-up that passes [`Setup::validate`].
 pub fn setup(choices: &mut Choices<'_, '_>, profile: &Profile) -> Setup {
@@ -53,6 +55,10 @@ fn unusual(setup: &mut Setup, choices: &mut Choices<'_, '_>, profile: &Profile) 
         let value = choices.within(-99_999, 99_999) as f64 / 64.0;
         setup.variables.insert(format!("V{}", choices.within(1, 9)), value);
     }
+    if choices.chance(9) {
+        machine(setup, choices, profile);
+    }
+    setup.schedule = choices.chance(8) && schedule::is_within(profile);
 }
 
 /// Whether an S, T or M function takes longer than the time check allows (E100L-STM-01).

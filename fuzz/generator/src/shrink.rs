@@ -11,7 +11,13 @@ use crate::tape;
 pub fn shrink(case: Case, mut fails: impl FnMut(&Case) -> bool) -> Case {
     let mut shrinker = Shrinker { best: case, fails: &mut fails };
     shrinker.plain_code();
-    while shrinker.lines() | shrinker.library() | shrinker.setup() | shrinker.words() | shrinker.numbers() {}
+    while shrinker.lines()
+        | shrinker.library()
+        | shrinker.devices()
+        | shrinker.setup()
+        | shrinker.words()
+        | shrinker.numbers()
+    {}
     shrinker.best
 }
 
@@ -73,6 +79,47 @@ impl Shrinker<'_> {
         smaller
     }
 
+    /// What devices send and inputs show: fewer texts, shorter ones, fewer values.
+    fn devices(&mut self) -> bool {
+        let mut smaller = false;
+        for name in self.best.setup.devices.keys().cloned().collect::<Vec<_>>() {
+            let mut place = self.best.setup.devices.get(&name).map_or(0, Vec::len);
+            while place > 0 {
+                place -= 1;
+                let mut candidate = self.best.clone();
+                if let Some(texts) = candidate.setup.devices.get_mut(&name) {
+                    texts.remove(place);
+                    texts.is_empty().then(|| candidate.setup.devices.remove(&name));
+                }
+                smaller |= self.try_case(candidate) || self.shorter_text(&name, place);
+            }
+        }
+        for number in self.best.setup.inputs.vdin.keys().copied().collect::<Vec<_>>() {
+            let mut candidate = self.best.clone();
+            candidate.setup.inputs.vdin.remove(&number);
+            smaller |= self.try_case(candidate);
+        }
+        smaller
+    }
+
+    /// One text of a device, shorter.
+    fn shorter_text(&mut self, name: &str, place: usize) -> bool {
+        let mut smaller = false;
+        let text = |case: &Case| {
+            case.setup.devices.get(name).and_then(|texts| texts.get(place)).map_or(0, |text| text.0.len())
+        };
+        let mut byte = text(&self.best);
+        while byte > 0 {
+            byte -= 1;
+            let mut candidate = self.best.clone();
+            let texts = candidate.setup.devices.get_mut(name);
+            let Some(text) = texts.and_then(|texts| texts.get_mut(place)) else { break };
+            text.0.remove(byte);
+            smaller |= self.try_case(candidate);
+        }
+        smaller
+    }
+
     /// Seven-bit characters instead of the tape's code.
     fn plain_code(&mut self) {
         if self.best.setup.tape.code == TapeCode::Ascii {
@@ -95,6 +142,18 @@ impl Shrinker<'_> {
                 let (library, macros) = (setup.library.clone(), setup.macros.clone());
                 *setup = Setup { library, macros, ..plain.clone() };
             },
+            |setup, plain| {
+                let kept = setup.clone();
+                *setup = plain.clone();
+                (setup.library, setup.macros, setup.devices) = (kept.library, kept.macros, kept.devices);
+                (setup.schedule, setup.tape, setup.inputs) = (kept.schedule, kept.tape, kept.inputs);
+            },
+            |setup, plain| setup.schedule = plain.schedule,
+            |setup, plain| setup.devices.clone_from(&plain.devices),
+            |setup, plain| setup.system_variables.clone_from(&plain.system_variables),
+            |setup, plain| setup.inputs.vdin.clone_from(&plain.inputs.vdin),
+            |setup, plain| setup.inputs.vird.clone_from(&plain.inputs.vird),
+            |setup, plain| setup.inputs.vord.clone_from(&plain.inputs.vord),
             |setup, plain| setup.macros.clone_from(&plain.macros),
             |setup, plain| setup.start = plain.start,
             |setup, plain| setup.zero_offset = plain.zero_offset,

@@ -12,6 +12,8 @@ use crate::choices::Choices;
 use crate::compensation::Compensation;
 use crate::control::Control;
 use crate::environment::Environment;
+use crate::io::Io;
+use crate::schedule::Schedule;
 use crate::unit::{Estimate, Units};
 
 /// A linear axis.
@@ -105,6 +107,10 @@ pub struct State {
     pub control: Control,
     /// Chuck and tailstock barriers.
     pub barriers: Areas,
+    /// Data communication, inputs and outputs.
+    pub io: Io,
+    /// Files and main programs of a schedule.
+    pub schedule: Schedule,
     /// What expressions of the present block read.
     pub environment: Environment,
 }
@@ -145,6 +151,8 @@ impl State {
             common: setup.variables.iter().filter_map(variable).collect(),
             control: Control::default(),
             barriers: Areas::new(&setup),
+            io: Io::new(&setup),
+            schedule: Schedule::default(),
             environment: Environment::new(units, setup.options.offset_sets, setup.options.user_task == 2),
             setup,
         };
@@ -265,6 +273,7 @@ impl State {
         ];
         self.environment.common.clone_from(&self.common);
         self.environment.tool_offsets.clone_from(&self.tool_offsets);
+        self.io.show(&mut self.environment);
         self.control.show(&mut self.environment);
         self.barriers.begin_block();
     }

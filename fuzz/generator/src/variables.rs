@@ -42,7 +42,7 @@ impl Builder<'_, '_, '_> {
     }
 
     /// An assignment to a common variable.
-    fn common(&mut self) -> Item {
+    pub(crate) fn common(&mut self) -> Item {
         let number =
             if self.choices.chance(70) { self.choices.within(1, 9) } else { self.choices.within(1, 200) };
         let number = u8::try_from(number).unwrap_or(1);
@@ -63,7 +63,7 @@ impl Builder<'_, '_, '_> {
     }
 
     /// An assignment to a system variable.
-    fn system(&mut self) -> Item {
+    pub(crate) fn system(&mut self) -> Item {
         let w = self.state.setup.options.w_axis;
         let axis = self.choices.pick(&[Axis::X, Axis::Z, if w { Axis::W } else { Axis::X }]);
         match self.choices.below(10) {

@@ -185,7 +185,8 @@ impl Builder<'_, '_, '_> {
         let bound = state.compensation.starting && (state.compensation.idle > 0 || choices.chance(80));
         let list = if bound { ELEMENTS } else { KINDS };
         let control = if bound { 0 } else { *control / 3 };
-        let list = list.iter().copied().chain([(control, Kind::Control)]);
+        let io = if bound || !state.io.is_wanted() { 0 } else { 10 };
+        let list = list.iter().copied().chain([(control, Kind::Control), (io, Kind::Io)]);
         let list: Vec<_> =
             list.filter(|(_, kind)| kind.is_within(profile) && state.control.permits(*kind)).collect();
         if list.iter().all(|(weight, _)| *weight == 0) { Kind::Rapid } else { choices.weighted(&list) }

@@ -23,6 +23,11 @@ impl Builder<'_, '_, '_> {
     /// IF with a condition whose value is known.
     pub(super) fn known_condition(&mut self) {
         let (condition, holds) = self.condition();
+        self.branch(condition, holds);
+    }
+
+    /// IF with a condition that holds or not, and what it leads over.
+    pub(crate) fn branch(&mut self, condition: Condition, holds: bool) {
         if holds {
             let name = self.new_name();
             self.statement(Statement::If(condition, name.clone()), Vec::new());
@@ -42,7 +47,7 @@ impl Builder<'_, '_, '_> {
     }
 
     /// A condition, and whether it holds.
-    fn condition(&mut self) -> (Condition, bool) {
+    pub(crate) fn condition(&mut self) -> (Condition, bool) {
         let control = &self.state.control;
         let locals = self.allows(Feature::LocalVariable);
         if locals && !control.shared && self.choices.chance(25) {
@@ -63,7 +68,7 @@ impl Builder<'_, '_, '_> {
     }
 
     /// A condition of constants, some of which are no logical values.
-    fn plain_condition(&mut self) -> (Condition, bool) {
+    pub(crate) fn plain_condition(&mut self) -> (Condition, bool) {
         let number = self.choices.pick(&[
             Number::whole(1),
             Number::whole(0),
@@ -143,7 +148,7 @@ impl Builder<'_, '_, '_> {
     }
 
     /// Text that never runs, where a name is looked for; some of it looks like that name.
-    pub(super) fn dead_text(&mut self, name: &str) {
+    pub(crate) fn dead_text(&mut self, name: &str) {
         for _ in 0..self.choices.below(4) {
             if self.choices.chance(25) {
                 self.decoy(name);

@@ -13,6 +13,9 @@ use super::text;
 impl Builder<'_, '_, '_> {
     /// The program, and the state with the torque stops, macros and limits that it needs.
     pub(crate) fn finish(mut self) -> (Program, State) {
+        if self.state.schedule.active {
+            return self.finish_schedule();
+        }
         let mut main = std::mem::take(&mut self.lines);
         main.append(&mut self.state.control.tail);
         let mut files: BTreeMap<&'static str, Vec<Line>> = BTreeMap::new();
@@ -36,14 +39,14 @@ impl Builder<'_, '_, '_> {
         (Program { lines: main, library }, self.state)
     }
 
-    fn name_block(&mut self, name: &str) -> Vec<u8> {
+    pub(crate) fn name_block(&mut self, name: &str) -> Vec<u8> {
         let colon = !self.state.is_eia() && self.choices.chance(12);
         let tail = if self.choices.chance(15) && self.allows(Feature::Comment) { " (PART)" } else { "" };
         format!("{}{name}{tail}", if colon { ":" } else { "O" }).into_bytes()
     }
 
     /// What stands in a file before its first program.
-    fn head_of_file(&mut self) -> Vec<Line> {
+    pub(crate) fn head_of_file(&mut self) -> Vec<Line> {
         let mut lines = Vec::new();
         if !self.state.is_eia() && self.choices.chance(40) {
             self.add_within(text::HEADERS, &mut lines);
@@ -76,7 +79,7 @@ impl Builder<'_, '_, '_> {
     }
 
     /// Programs that jump have a limit of their steps, some a low one.
-    fn bound_steps(&mut self) {
+    pub(crate) fn bound_steps(&mut self) {
         let plain = turnspec_oracle::vocabulary::Setup::default().limits.steps;
         let limits = &mut self.state.setup.limits;
         if self.state.control.jumps && limits.steps == plain && self.profile.allows(Feature::ControlStatement)

@@ -100,6 +100,16 @@ impl Builder<'_, '_, '_> {
         Item::Assignment(Variable::Local(name), expression)
     }
 
+    /// A local variable of the program with this value in it; none when too many are registered.
+    pub(crate) fn local_target(&mut self, value: f64) -> Option<&'static str> {
+        let name = self.choices.pick(&NAMES);
+        let room = self.state.control.entries.len() < MANY || self.state.control.is_defined(name);
+        if room {
+            self.state.control.assign(name, Some(value));
+        }
+        room.then_some(name)
+    }
+
     /// An expression of a known value, and the value.
     pub(super) fn known_value(&mut self, most: usize) -> (Expression, f64) {
         let depth = self.choices.below(4);

@@ -25,10 +25,11 @@ use crate::environment::Environment;
 use crate::profile::Profile;
 use crate::program::{Block, Item, Line, Statement};
 
+pub(crate) use passes::compare;
+pub(crate) use steady::{Called, Nature};
+
 use local::Entry;
 use modal::Mode;
-use steady::Called;
-
 /// The common variables that change in what runs more than once.
 const CHANGING: std::ops::RangeInclusive<u8> = 101..=120;
 
@@ -117,6 +118,11 @@ impl Control {
         self.depth > 0
     }
 
+    /// Whether what is written now may run at another place too.
+    pub(crate) fn is_shared(&self) -> bool {
+        self.shared
+    }
+
     /// How many called programs are active.
     pub(crate) fn calls(&self) -> usize {
         self.depth
@@ -147,6 +153,31 @@ impl Control {
         let programs = self.programs.get(programs..).unwrap_or_default();
         let texts = programs.iter().map(|called| called.lines.as_slice());
         texts.chain(self.tail.get(tail..))
+    }
+
+    /// How many programs are complete.
+    pub(crate) fn programs_count(&self) -> usize {
+        self.programs.len()
+    }
+
+    /// Takes the programs that are complete.
+    pub(crate) fn take_programs(&mut self) -> Vec<Rc<Called>> {
+        std::mem::take(&mut self.programs)
+    }
+
+    /// Takes those from a place on.
+    pub(crate) fn take_programs_from(&mut self, place: usize) -> Vec<Rc<Called>> {
+        self.programs.split_off(place.min(self.programs.len()))
+    }
+
+    /// Puts other blocks behind the end of the present program; those that were there.
+    pub(crate) fn change_tail(&mut self, tail: Vec<Line>) -> Vec<Line> {
+        std::mem::replace(&mut self.tail, tail)
+    }
+
+    /// Notes the value of a local variable.
+    pub(crate) fn assign_local(&mut self, name: &'static str, value: f64) {
+        self.assign(name, Some(value));
     }
 
     /// Takes the name that the next block gets.
@@ -295,18 +326,18 @@ impl Builder<'_, '_, '_> {
     }
 
     /// Adds a statement with what follows it.
-    fn statement(&mut self, statement: Statement, items: Vec<Item>) {
-        if statement == Statement::Noex {
+    pub(crate) fn statement(&mut self, statement: Statement, items: Vec<Item>) {
+        if statement == Statement::Noex || statement.is_communication() {
             self.state.compensation.note_block(&items);
         }
         let sequence = self.next_name();
         let delete = self.deletable();
-        self.state.control.jumps = true;
+        self.state.control.jumps |= !statement.is_communication();
         self.lines.push(Line::Block(Block { delete, sequence, statement: Some(statement), items }));
     }
 
     /// A sequence name that this program does not have yet.
-    fn new_name(&mut self) -> String {
+    pub(crate) fn new_name(&mut self) -> String {
         if let Some(name) = self.sequence_name() {
             return name;
         }
@@ -317,7 +348,7 @@ impl Builder<'_, '_, '_> {
     }
 
     /// Gives the next block this name.
-    fn set_label(&mut self, name: String) {
+    pub(crate) fn set_label(&mut self, name: String) {
         self.settle_label();
         self.state.control.label = Some(name);
     }

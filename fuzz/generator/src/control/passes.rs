@@ -138,7 +138,7 @@ impl Builder<'_, '_, '_> {
     }
 
     /// A variable to count with that no loop around counts with.
-    pub(super) fn counter(&mut self) -> Option<Variable> {
+    pub(crate) fn counter(&mut self) -> Option<Variable> {
         let local = self.allows(Feature::LocalVariable) && self.state.control.entries.len() < 100;
         let common = self.allows(Feature::Variable);
         let variable = if local && (!common || self.choices.chance(50)) {
@@ -151,7 +151,7 @@ impl Builder<'_, '_, '_> {
     }
 
     /// A block that assigns a whole number.
-    pub(super) fn set(&mut self, variable: &Variable, value: i64) {
+    pub(crate) fn set(&mut self, variable: &Variable, value: i64) {
         self.begin();
         let constant = Expression::Constant(Number::whole(value));
         self.push(vec![Item::Assignment(variable.clone(), constant)]);
@@ -159,7 +159,7 @@ impl Builder<'_, '_, '_> {
     }
 
     /// A block that counts one pass.
-    fn count(&mut self, variable: &Variable, operator: Operator) {
+    pub(crate) fn count(&mut self, variable: &Variable, operator: Operator) {
         self.begin();
         let one = Expression::Constant(Number::whole(1));
         let next = Expression::binary(operator, Expression::Variable(variable.clone()), one);
@@ -172,7 +172,7 @@ impl Builder<'_, '_, '_> {
     }
 
     /// Notes the value of a variable.
-    pub(super) fn known(&mut self, variable: &Variable, value: i64) {
+    pub(crate) fn known(&mut self, variable: &Variable, value: i64) {
         match variable {
             Variable::Common(number) => {
                 self.state.common.insert(*number, value as f64);
@@ -184,7 +184,7 @@ impl Builder<'_, '_, '_> {
     }
 
     /// Notes that the value of a variable is not known.
-    pub(super) fn forget(&mut self, variable: &Variable) {
+    pub(crate) fn forget(&mut self, variable: &Variable) {
         match variable {
             Variable::Common(number) => {
                 self.state.common.remove(number);
@@ -197,7 +197,7 @@ impl Builder<'_, '_, '_> {
 }
 
 /// A comparison of a variable with a whole number.
-pub(super) fn compare(operator: Operator, variable: &Variable, value: i64) -> Condition {
+pub(crate) fn compare(operator: Operator, variable: &Variable, value: i64) -> Condition {
     let border = Expression::Constant(Number::whole(value));
     Condition::Holds(Expression::binary(operator, Expression::Variable(variable.clone()), border))
 }

@@ -7,7 +7,7 @@ use crate::companions::has;
 use crate::expression::{Expression, Operator, Variable};
 use crate::number::Number;
 use crate::program::{Item, Line, Statement, Value, Word};
-use crate::state::{Axis, Mode};
+use crate::state::{Axis, Mode, State};
 
 use super::local::{self, Owner};
 
@@ -21,7 +21,7 @@ pub(super) struct Bounded {
 
 /// A program that can be called.
 #[derive(Debug)]
-pub(super) struct Called {
+pub(crate) struct Called {
     /// Its name, without the `O`.
     pub name: String,
     pub lines: Vec<Line>,
@@ -31,7 +31,7 @@ pub(super) struct Called {
 
 /// A program that may be called again.
 #[derive(Clone, Debug)]
-pub(super) struct Again {
+pub(crate) struct Again {
     pub nature: Nature,
     /// The local variables that it needs, with their bounds.
     pub arguments: Vec<(&'static str, i64, i64)>,
@@ -49,7 +49,7 @@ pub(super) struct Again {
 
 /// How much a program does.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) enum Nature {
+pub(crate) enum Nature {
     /// No motion.
     Still,
     /// Motions each of which begins anew, so that other programs may run between them.
@@ -142,7 +142,7 @@ impl Builder<'_, '_, '_> {
     }
 
     /// Marks what changes as unknown.
-    pub(super) fn forget_changing(&mut self) {
+    pub(crate) fn forget_changing(&mut self) {
         let state = &mut self.state;
         for number in super::CHANGING {
             state.common.remove(&number);
@@ -155,8 +155,36 @@ impl Builder<'_, '_, '_> {
     /// Writes a program that may be called again; the state stays as it is.
     pub(super) fn shared_program(&mut self, nature: Nature) -> std::rc::Rc<Called> {
         let name = self.program_name();
-        let before = self.state.clone();
         let arguments = self.argument_list();
+        let before = self.begin_apart();
+        for (name, low, high) in &arguments {
+            let owner = Owner::Program(self.state.control.depth + 1);
+            self.state.control.register(name, None, owner);
+            let variable = Variable::Local(name);
+            self.state.control.bounded.push(Bounded { variable, low: *low, high: *high });
+        }
+        let lines = self.write_program(|builder| builder.shared_body(nature));
+        let (lines, again) = self.end_apart(nature, before, arguments, lines);
+        let called = std::rc::Rc::new(Called { name, lines, again: Some(again) });
+        self.state.control.programs.push(called.clone());
+        called
+    }
+
+    /// The blocks of a program that may run at another place.
+    pub(crate) fn shared_body(&mut self, nature: Nature) {
+        match nature {
+            Nature::Still => self.still_body(),
+            Nature::Robust => (0..=self.choices.below(2)).for_each(|_| self.robust_block()),
+            Nature::Full => {
+                self.anchor();
+                (0..self.choices.below(5)).for_each(|_| self.grow_block());
+            }
+        }
+    }
+
+    /// Begins what may run at another place; the state before it.
+    pub(crate) fn begin_apart(&mut self) -> State {
+        let before = self.state.clone();
         self.state.control.steady = true;
         self.state.control.shared = true;
         self.state.control.loops = 0;
@@ -164,20 +192,17 @@ impl Builder<'_, '_, '_> {
         self.state.control.extent = [(i64::MAX, i64::MIN); 2];
         self.state.control.bounded.clear();
         self.forget_changing();
-        for (name, low, high) in &arguments {
-            let owner = Owner::Program(self.state.control.depth + 1);
-            self.state.control.register(name, None, owner);
-            let variable = Variable::Local(name);
-            self.state.control.bounded.push(Bounded { variable, low: *low, high: *high });
-        }
-        let lines = self.write_program(|builder| match nature {
-            Nature::Still => builder.still_body(),
-            Nature::Robust => (0..=builder.choices.below(2)).for_each(|_| builder.robust_block()),
-            Nature::Full => {
-                builder.anchor();
-                (0..builder.choices.below(5)).for_each(|_| builder.grow_block());
-            }
-        });
+        before
+    }
+
+    /// Ends it: the state is again as it was before, and what it does is known.
+    pub(crate) fn end_apart(
+        &mut self,
+        nature: Nature,
+        before: State,
+        arguments: Vec<(&'static str, i64, i64)>,
+        lines: Vec<Line>,
+    ) -> (Vec<Line>, Again) {
         let state = std::mem::replace(&mut self.state, before);
         let effect = Effect {
             mode: state.mode,
@@ -200,9 +225,7 @@ impl Builder<'_, '_, '_> {
         self.state.control.programs = state.control.programs;
         self.state.control.names = state.control.names;
         self.state.control.jumps |= state.control.jumps;
-        let called = std::rc::Rc::new(Called { name, lines, again: Some(again) });
-        self.state.control.programs.push(called.clone());
-        called
+        (lines, again)
     }
 
     fn argument_list(&mut self) -> Vec<(&'static str, i64, i64)> {
@@ -252,7 +275,7 @@ impl Builder<'_, '_, '_> {
     }
 
     /// Whether a program may be called here.
-    pub(super) fn is_usable(&self, called: &Called, modal: bool) -> bool {
+    pub(crate) fn is_usable(&self, called: &Called, modal: bool) -> bool {
         let Some(again) = &called.again else { return false };
         let state = &self.state;
         let control = &state.control;
@@ -291,7 +314,7 @@ impl Builder<'_, '_, '_> {
     }
 
     /// The state after a program that was called.
-    pub(super) fn after_program(&mut self, called: &Called) {
+    pub(crate) fn after_program(&mut self, called: &Called) {
         self.forget_changing();
         let Some(again) = &called.again else { return };
         self.state.compensation.pass(again.blocks);
@@ -310,7 +333,7 @@ impl Builder<'_, '_, '_> {
     }
 
     /// The name of a new program.
-    pub(super) fn program_name(&mut self) -> String {
+    pub(crate) fn program_name(&mut self) -> String {
         let wanted = self.choices.pick(super::text::PROGRAMS).to_owned();
         let others = (5_000..).map(|number: u32| number.to_string());
         let names = &mut self.state.control.names;

@@ -246,6 +246,10 @@ impl Builder<'_, '_, '_> {
             "MODOUT",
             "G205",
             "M321 AB=1",
+            "READ 0",
+            "WRITE 0",
+            "GET ,1",
+            "PUT ,1",
         ]);
         let noex = self.choices.chance(20);
         self.blocks(&[corner, if noex { "NOEX AB=1" } else { text }])

@@ -5,12 +5,14 @@
 mod barrier;
 mod compensation;
 mod control;
+mod io;
 mod motion;
+mod schedule;
 mod state;
 mod statement;
 mod text;
 
-use turnspec_oracle::vocabulary::{AlarmName, Chamfering, Setup, TapeCode};
+use turnspec_oracle::vocabulary::{AlarmName, Chamfering, Setup, TapeCode, UserAlarmC};
 
 use crate::builder::Builder;
 use crate::choices::Choices;
@@ -42,6 +44,10 @@ fn special(setup: &Setup) -> Vec<Fault> {
         (setup.options.user_task == 1, Fault::UserTaskLevel),
         (setup.parameters.call_depth == 1, Fault::CallDepth),
         (setup.barriers != Setup::default().barriers, Fault::Barrier),
+        (!setup.devices.is_empty(), Fault::DeviceNoData),
+        (!setup.devices.is_empty(), Fault::ReadPointer),
+        (!setup.devices.is_empty(), Fault::ReceivedNumber),
+        (setup.readings.user_alarm_c == UserAlarmC::Stops, Fault::UserAlarmC),
         (!setup.inputs.turret_clamp_confirmed, Fault::TurretClamp),
         (setup::is_over_time(setup), Fault::StmOver),
         (setup.parameters.torque_limit_upper < 100, Fault::TorqueLimitRange),
@@ -70,11 +76,17 @@ pub(crate) fn is_early(fault: Fault) -> bool {
     fault == Fault::NoFeed
 }
 
+/// Whether a text has a character that EIA lacks.
+pub(crate) fn lacks_codes(line: &str) -> bool {
+    line.contains(['=', '[', ']', '$', '*', ':', '\'', '^', '?'])
+}
+
 impl Builder<'_, '_, '_> {
     /// Adds the blocks of a fault.
     pub(crate) fn fault(&mut self, fault: Fault) -> bool {
         self.begin();
-        self.control_fault(fault)
+        self.io_fault(fault)
+            || self.control_fault(fault)
             || self.barrier_fault(fault)
             || self.compensation_fault(fault)
             || self.motion_fault(fault)
@@ -84,7 +96,7 @@ impl Builder<'_, '_, '_> {
 
     /// Adds one block of text a line; false when the tape code lacks a character of them.
     pub(crate) fn blocks(&mut self, lines: &[&str]) -> bool {
-        if self.state.is_eia() && lines.iter().any(|line| line.contains(['=', '[', ']', '$', '*', ':'])) {
+        if self.state.is_eia() && lines.iter().any(|line| lacks_codes(line)) {
             return false;
         }
         self.settle_label();

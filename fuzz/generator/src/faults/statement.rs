@@ -10,11 +10,12 @@ pub(super) const STATEMENTS: &[(Fault, &[&str])] = &[
         "G00 GOTO N5", "X5 IF[V1 EQ 1] N1", "M08 END", "M08 RTS X5", "X5 G205", "M08 M321", "G00 G161 X1",
         "V1=5 CALL O1", "M65 NOEX", "NOEX AB=1 NOEX", "CALL O1 RTS", "X5 M=341", "G=205+0", "M08 G=171", "(A) X5 MODOUT",
         "G205 G205", "M321 M322", "V1=GOTO 5 CALL", "NOEX G161", "AB=1 MODIN O1", "X5 VSET V1=1", "M=300+21", "G=[161]",
+        "X5 READ 1", "V1=5 PUT 'A'", "G00 GET V1,2", "(A) X5 WRITE 0", "VUACM[1]='A' END", "M08 PSELECT A",
     ]),
     (Fault::StatementDelimiterMissing, &[
         "GOTO1 N5", "GOTON5", "CALLO1", "CALL(A)O1AB=5", "RTS=5", "MODINO1", "MODOUT1", "NOEXAB=5", "READ1", "WRITE5",
         "GETAB", "IF ABC=5 N1", "IF[1]GOTON5", "IFABC N1", "IF ABC[1] N1", "CALL O1=5", "MODIN O12-3", "RTS5X", "RTS/",
-        "NOEX=1", "CALL+O1", "IF AB/N1", "GOTO-N5", "PUT5AB", "RTS.", "IF XY$1 N2", "CALL O1/ AB=5",
+        "NOEX=1", "CALL+O1", "IF AB/N1", "GOTO-N5", "PUT5AB", "GET,1", "PUT,1", "PUT'A'", "PUT$41", "RTS.", "IF XY$1 N2", "CALL O1/ AB=5",
     ]),
     (Fault::Format, &[
         "GOTO 5", "GOTO", "GOTO X5", "GOTO N5 X5", "GOTO N5 (A) 5", "IF", "IF 5 N1", "IF[1 EQ 1]", "IF[1]5", "IF V1 N5",
@@ -54,7 +55,9 @@ pub(super) const STATEMENTS: &[(Fault, &[&str])] = &[
 
 /// Whether a text begins with a statement, in front of which nothing may stand.
 pub(super) fn is_statement(text: &str) -> bool {
-    const BEGINNINGS: &[&str] = &["GOTO", "IF", "CALL", "RTS", "MOD", "NOEX", "READ", "WRITE", "GET", "PUT"];
+    const BEGINNINGS: &[&str] = &[
+        "GOTO", "IF", "CALL", "RTS", "MOD", "NOEX", "READ", "WRITE", "GET", "PUT", "PSELECT", "VSET", "END",
+    ];
     let code = |first: &str, rest: fn(&str) -> bool| text.strip_prefix(first).is_some_and(rest);
     let digits = |rest: &str| rest.trim_start_matches(['=', ' ', '0']).starts_with(['1', '2', '3']);
     BEGINNINGS.iter().any(|beginning| text.starts_with(beginning)) || code("G", digits) || code("M", digits)

@@ -93,8 +93,7 @@ const TEXTS: &[(Fault, &[&str])] = &[
         "G91 G22 Z0 D1 L5 F1 PZ=5", "G94 G91 G22 Z50 D1 L5 F99999 PZ=5", "G95 G91 G22 Z50 D1 L5 F1 PZ=5",
     ]),
     (Fault::NotModelled, &[
-        "P5", "Q5 X1", "G00 N5", "ZA=5", "VZOFY=1", "V1=VTLCN[1]", "VUACM[1]=1", "V1=VDIN[1]", "VMDT[1]=5", "BC=1",
-        "N17 READ 1", "/GET", "PUT A", "$DAY1.SDF%",
+        "P5", "Q5 X1", "G00 N5", "ZA=5", "VZOFY=1", "V1=VTLCN[1]", "VMDT[1]=5", "BC=1",
     ]),
 ];
 
@@ -157,15 +156,12 @@ impl Builder<'_, '_, '_> {
         self.blocks(&[&format!("{letter}{code:02}")])
     }
 
-    /// An assigned code, or a statement, that is not modelled.
+    /// An assigned code that is not modelled.
     fn later(&mut self) -> bool {
-        match self.choices.below(3) {
-            0 => self.code_fault("G", codes::G_LATER),
-            1 => self.code_fault("M", codes::M_LATER),
-            _ => {
-                let text = self.choices.pick(codes::STATEMENTS);
-                self.blocks(&[text])
-            }
+        if self.choices.chance(60) {
+            self.code_fault("G", codes::G_LATER)
+        } else {
+            self.code_fault("M", codes::M_LATER)
         }
     }
 }
