@@ -92,7 +92,7 @@ const CONTROL: usize = 44;
 const BARRIER: usize = 24;
 
 /// How often a block is one of input and output, in programs that are to have it.
-const IO: usize = 40;
+const IO: usize = 80;
 
 /// The most constructions of control flow within each other.
 const NESTING: usize = 6;

@@ -175,7 +175,7 @@ fn foreign_words(case: &Case, features: &[Feature]) -> String {
     if text.contains('(') && !has(&Feature::Comment) {
         return "comment".to_owned();
     }
-    let text = without_comments(&text);
+    let text = without_strings(&without_comments(&text));
     let extended = [Feature::MTool, Feature::CAxis, Feature::Torque];
     let marks: [(&str, &[Feature]); 5] = [
         ("%:", &[Feature::ProgramName]),
@@ -208,6 +208,25 @@ fn without_comments(text: &str) -> String {
         }
     }
     rest
+}
+
+/// The text without strings and what surrounds them, and without the codes and commas of statements that send and receive.
+fn without_strings(text: &str) -> String {
+    let line = |line: &str| {
+        let communicates = ["GET", "PUT", "PSELECT"].iter().any(|keyword| line.contains(keyword));
+        if !communicates && !line.contains("VUACM") {
+            return line.to_owned();
+        }
+        let mut rest: String = line.split('\'').step_by(2).collect::<Vec<_>>().concat().replace('^', "");
+        if communicates {
+            rest = rest.replace(',', " ");
+        }
+        match rest.split_once("PUT") {
+            Some((before, sent)) if sent.contains('$') => format!("{before}PUT"),
+            _ => rest,
+        }
+    };
+    text.lines().map(line).collect::<Vec<_>>().join("\n")
 }
 
 /// The letters of a line, blanks and the name of the block left out, against what they mean.
@@ -280,6 +299,10 @@ fn is_known_name(run: &[u8], features: &[Feature]) -> bool {
         b"GOTO" | b"IF" | b"NOEX" => has(Feature::ControlStatement),
         b"CALL" | b"RTS" => has(Feature::Subprogram),
         b"MODIN" | b"MODOUT" => has(Feature::ModalCall),
+        b"READ" | b"WRITE" | b"GET" | b"PUT" => has(Feature::Communication),
+        b"PSELECT" | b"VSET" | b"END" => has(Feature::Schedule),
+        b"VDIN" | b"VDOUT" | b"VIRD" | b"VORD" => has(Feature::InputOutput),
+        b"VUACM" => has(Feature::UserAlarm),
         [b'N', ..] if has(Feature::ControlStatement) => true,
         [b'O', ..] if has(Feature::Subprogram) => true,
         [b'V', ..] => has(Feature::SystemVariable),
@@ -359,6 +382,10 @@ fn rule_allowed(id: &str, features: &[Feature]) -> bool {
         "INCH" => &[Feature::Units],
         "LIM" => &[Feature::Limits],
         "CVAR" => &[Feature::Variable],
+        "RDWR" | "GPUT" => &[Feature::Communication],
+        "IOV" | "IORD" => &[Feature::InputOutput],
+        "VUACM" => &[Feature::UserAlarm],
+        "SDF" => &[Feature::Schedule],
         "SB" => &[Feature::MTool],
         "SMAX" | "SPD" => &[Feature::Spindle],
         "STM" => &[Feature::TimeOver],

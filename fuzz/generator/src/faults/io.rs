@@ -98,12 +98,11 @@ impl Builder<'_, '_, '_> {
             }
             Fault::UserTaskLevel if level_2 => false,
             // Most of these faults have other kinds too.
-            Fault::Format | Fault::Unspecified | Fault::NumberMalformed | Fault::VariableSuffix
-                if self.choices.chance(50) =>
-            {
-                false
-            }
-            Fault::IllegalCharacter
+            Fault::Format if self.choices.chance(25) => false,
+            Fault::Unspecified
+            | Fault::NumberMalformed
+            | Fault::VariableSuffix
+            | Fault::IllegalCharacter
             | Fault::VariableReadOnly
             | Fault::VariableRange
             | Fault::UserTaskLevel
