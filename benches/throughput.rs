@@ -45,6 +45,10 @@ fn main() -> Result<(), Box<dyn Error>> {
         row(&mut out, long, "engine, trace as JSON", || engine_with_json(long))?;
         row(&mut out, short, "oracle", || oracle(short))?;
     }
+    for (long, short) in loops(blocks).iter().zip(&loops(blocks / ORACLE_SHARE)) {
+        row(&mut out, long, "engine", || engine(long))?;
+        row(&mut out, short, "oracle", || oracle(short))?;
+    }
     rs274(&mut out, &programs[0])?;
     for load in &programs {
         writeln!(out, "{}: {}", load.name, slow_paths(load))?;
@@ -60,6 +64,17 @@ fn workloads(blocks: usize) -> [Workload; 4] {
         Workload { name: "arcs and chamfers", text: arcs_and_chamfers(blocks), setup: plain(), blocks },
         Workload { name: "radius compensation", text: compensated(blocks), setup: with_nose(), blocks },
         Workload { name: "expressions", text: expressions(blocks), setup: plain(), blocks },
+    ]
+}
+
+/// Short texts with long runs.
+fn loops(blocks: usize) -> [Workload; 2] {
+    use turnspec_generator::{counting_loop, nested_calls};
+    let of = |name, (text, setup, blocks)| Workload { name, text, setup, blocks };
+    // Three calls take eleven blocks.
+    [
+        of("loop with IF and variables", counting_loop(blocks)),
+        of("nested CALL and RTS", nested_calls(blocks * 3 / 11)),
     ]
 }
 

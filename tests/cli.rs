@@ -352,6 +352,104 @@ fn explain_tells_each_rule_once() {
     assert_eq!(outcome.stdout.matches(&format!("         {first}\n")).count(), 1, "{first}");
 }
 
+/// A folder that lives as long as the test, with files.
+struct Folder(std::path::PathBuf);
+
+impl Folder {
+    fn new(name: &str, files: &[(&str, &str)]) -> Self {
+        let path = std::env::temp_dir().join(format!("turnspec-{}-{name}", std::process::id()));
+        std::fs::create_dir_all(&path).expect("a scratch folder");
+        for (file, text) in files {
+            std::fs::write(path.join(file), text).expect("a scratch file");
+        }
+        Self(path)
+    }
+
+    fn path(&self, file: &str) -> String {
+        self.0.join(file).to_str().expect("a path of UTF-8").to_owned()
+    }
+}
+
+impl Drop for Folder {
+    fn drop(&mut self) {
+        let _ = std::fs::remove_dir_all(&self.0);
+    }
+}
+
+#[test]
+fn a_library_is_a_folder_of_files() {
+    let folder = Folder::new(
+        "library",
+        &[
+            ("main.min", "O100\nCALL O1 DX=V1\nM02\n"),
+            ("pull.sub", "O1\nG00 X=DX\nRTS\n"),
+            ("notes.txt", "O1\n"),
+        ],
+    );
+    let (main, library) = (folder.path("main.min"), folder.path(""));
+    let arguments =
+        ["run", "--with", "both", "--format", "jsonl", "--library", &library, "--set", "v1=12.5", &main];
+    let outcome = turnspec(&arguments);
+    assert_eq!((outcome.status, outcome.stderr.as_str()), (0, ""));
+    let events = events(&outcome.stdout);
+    assert_eq!(kinds(&events), ["variable", "call", "rapid", "return", "end"]);
+    let Action::Rapid { motion } = &events[2].action else { panic!("{:?}", events[2]) };
+    assert_eq!(motion.program.x, Length(12_500_000));
+    assert_eq!((events[2].block.program.as_str(), events[2].block.line), ("O1", 2));
+
+    let missing = turnspec(&["run", &main]);
+    assert_eq!(missing.status, 1);
+    assert!(missing.stderr.contains("no program with the name"), "{}", missing.stderr);
+}
+
+#[test]
+fn an_alarm_in_a_library_file_shows_its_line_and_how_the_run_came_there() {
+    let folder = Folder::new(
+        "situation",
+        &[("main.min", "O100\nV7=1\nN5 CALL O1 DX=2\nM02\n"), ("pull.sub", "O1\nN9 G00 X=DY\nRTS\n")],
+    );
+    let (main, library) = (folder.path("main.min"), folder.path(""));
+    let outcome = turnspec(&["explain", "--library", &library, &main]);
+    assert_eq!(outcome.status, 1);
+    for part in [
+        "PULL.SUB:2",
+        "N9 G00 X=DY",
+        "calls     O1 of PULL.SUB, called at line 3 of O100 (N5)",
+        "DX=2 (O1)",
+        "V7=1",
+    ] {
+        assert!(outcome.stderr.contains(part), "{part}: {}", outcome.stderr);
+    }
+}
+
+#[test]
+fn a_runaway_program_ends_at_the_limit() {
+    let program = Scratch::new("endless.min", b"N1 V1=V1+1\nGOTO N1\n");
+    let setup = Scratch::new("endless.toml", b"[limits]\nsteps = 5\n");
+    let outcome = turnspec(&["run", "--with", "both", "--setup", setup.path(), program.path()]);
+    assert_eq!(outcome.status, 1);
+    assert!(outcome.stderr.contains("step limit reached"), "{}", outcome.stderr);
+    // That a program goes on is no fault of its text.
+    assert_eq!(turnspec(&["check", program.path()]).status, 0);
+}
+
+#[test]
+fn values_and_libraries_that_are_wrong_are_refused() {
+    let folder = Folder::new("wrong", &[("main.min", "M02\n"), ("no name.sub", "O1\nRTS\n")]);
+    let (main, library) = (folder.path("main.min"), folder.path(""));
+    for (arguments, reason) in [
+        (["--set", "V1"], "not of the form V1=10"),
+        (["--set", "V201=1"], "is not one of V1 to V200"),
+        (["--set", "V1=inf"], "is not finite"),
+        (["--library", "/no/such/folder"], "/no/such/folder"),
+        (["--library", library.as_str()], "NO NAME.SUB"),
+    ] {
+        let outcome = turnspec(&["run", arguments[0], arguments[1], &main]);
+        assert_eq!(outcome.status, 2, "{arguments:?}");
+        assert!(outcome.stderr.contains(reason), "{reason}: {}", outcome.stderr);
+    }
+}
+
 #[test]
 fn explain_selects_a_block_by_name_or_line() {
     let name = turnspec(&["explain", TURN, "--block", "N030"]);

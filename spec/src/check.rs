@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use crate::fault::Fault;
 use crate::run::{Progress, Run};
-use crate::syntax::{Address, Body, Item, ItemKind, Source, Value, parse};
+use crate::syntax::{Address, Body, Item, ItemKind, ScheduleBlock, Source, Value, parse, parse_schedule};
 use crate::vocabulary::{Alarm, Label, Place, RuleSet, Setup};
 
 /// One fault that [`check`] found.
@@ -58,6 +58,7 @@ fn alarm_of_run(program: &[u8], setup: &Setup) -> Option<Diagnostic> {
 fn grammar_faults(program: &[u8], setup: &Setup) -> Vec<Diagnostic> {
     let mut diagnostics = Vec::new();
     let mut source = Source::new(program, setup.tape.code);
+    let schedule = source.header_of_schedule().unwrap_or(setup.schedule);
     let mut program_name = Label::default();
     loop {
         let line = match source.next_line() {
@@ -69,6 +70,14 @@ fn grammar_faults(program: &[u8], setup: &Setup) -> Vec<Diagnostic> {
             }
         };
         let mut place = Place { program: program_name, ..line.place };
+        if schedule {
+            match parse_schedule(&line, setup, &mut place.sequence) {
+                Ok(ScheduleBlock::End) => return diagnostics,
+                Ok(_) => {}
+                Err(fault) => diagnostics.push(Diagnostic::new(&fault, place)),
+            }
+            continue;
+        }
         match parse(&line, setup, &mut place.sequence).map(|block| block.body) {
             Ok(Body::ProgramName(name)) => program_name = name,
             Ok(Body::Items(items)) if items.iter().any(ends_program) => return diagnostics,

@@ -38,6 +38,13 @@ impl Emission {
         Self { rules: self.rules.union(rules), ..self }
     }
 
+    /// If a variable was set: by these rules too.
+    pub fn set_variable_by(&mut self, rules: RuleSet) {
+        if matches!(self.action, Action::Variable { .. }) {
+            self.rules = self.rules.union(rules);
+        }
+    }
+
     /// The event, produced by one more rule if `holds`.
     pub fn rule_if(self, holds: bool, rule: RuleId) -> Self {
         if holds { Self { rules: self.rules.with(rule), ..self } } else { self }

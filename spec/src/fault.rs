@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use crate::vocabulary::{Alarm, AlarmName, Label, Place, RuleId, RuleSet};
+use crate::vocabulary::{Alarm, AlarmName, Label, Place, Reading, ReadingSet, RuleId, RuleSet};
 
 /// Result of a stage.
 pub type Outcome<T> = Result<T, Fault>;
@@ -14,6 +14,8 @@ pub struct Fault {
     pub alarm: Alarm,
     /// The rules that demand it.
     pub rules: RuleSet,
+    /// The readings it depends on.
+    pub readings: ReadingSet,
     /// Byte span of the word at fault.
     pub span: Option<Range<u32>>,
     /// The block at fault, when it is not the block that is being carried out.
@@ -23,13 +25,19 @@ pub struct Fault {
 impl Fault {
     /// The alarm that a rule demands.
     pub fn new(name: AlarmName, rule: RuleId) -> Self {
-        Self { alarm: Alarm::new(name), rules: RuleSet::of(&[rule]), span: None, block: None }
+        let (alarm, rules) = (Alarm::new(name), RuleSet::of(&[rule]));
+        Self { alarm, rules, readings: ReadingSet::default(), span: None, block: None }
     }
 
     /// The alarm about a code, address or name.
     pub fn about(name: AlarmName, rule: RuleId, detail: &str) -> Self {
         let alarm = Alarm::about(name, Label::new(detail));
         Self { alarm, ..Self::new(name, rule) }
+    }
+
+    /// The fault, depending on a reading.
+    pub fn reading(self, reading: impl Into<Reading>) -> Self {
+        Self { readings: self.readings.with(reading), ..self }
     }
 
     /// The fault at a word, unless it knows its word already.

@@ -8,10 +8,10 @@
 //! globals, no floating point that is not correctly rounded. Use the `turnspec` crate when you need
 //! speed.
 //!
-//! One way through it, a stage a room: `syntax` (text to blocks), `run` (which block comes next), `task`
-//! (expressions, variables, and the programs that run within each other), `modal` (codes and modes), `path` (motion),
-//! `barrier` (areas to keep out of), `compensation` (nose radius), `frame` (machine coordinates and limits); `controls`
-//! holds the tables, `integer`, `quantity` and `real` the numbers.
+//! One way through it, a stage a room: `syntax` (text to blocks), `run` (which block comes next), `schedule` (which
+//! main program), `task` (expressions, variables, data communication, and the programs that run within each other),
+//! `modal` (codes and modes), `path` (motion), `barrier` (areas to keep out of), `compensation` (nose radius), `frame`
+//! (machine coordinates and limits); `controls` holds the tables, `integer`, `quantity` and `real` the numbers.
 
 mod barrier;
 pub mod book;
@@ -27,6 +27,7 @@ mod path;
 mod quantity;
 mod real;
 mod run;
+mod schedule;
 mod state;
 pub mod syntax;
 mod task;

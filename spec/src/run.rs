@@ -3,12 +3,13 @@
 mod ahead;
 mod programs;
 mod reading;
+mod schedule;
 mod statement;
 mod texts;
 mod view;
 
-pub use programs::Program;
-pub use texts::Spot;
+pub use programs::{Program, Programs};
+pub use texts::{Read, Spot, Texts};
 pub use view::{ActiveMode, ActiveProgram, LocalVariable};
 
 use crate::compensation::{Compensation, Stream};
@@ -16,6 +17,7 @@ use crate::emission::Emission;
 use crate::fault::Outcome;
 use crate::modal::{self, Before, Plan};
 use crate::path;
+use crate::schedule::Schedule;
 use crate::state::State;
 use crate::task::{Calls, Registration};
 use crate::vocabulary::{Action, Ending, Event, Place, Setup, Sink};
@@ -28,6 +30,8 @@ pub struct Run<'a> {
     calls: Calls,
     state: State<'a>,
     compensation: Compensation,
+    /// The schedule program, if the main text is one.
+    schedule: Option<Schedule>,
     setup: &'a Setup,
     events: u64,
     ending: Option<Ending>,
@@ -38,7 +42,7 @@ pub struct Run<'a> {
 pub(crate) enum Progress {
     /// There is a next block.
     Going,
-    /// M02 or M30 was carried out.
+    /// M02 or M30 was carried out, or END of a schedule program.
     Ended,
 }
 
@@ -47,10 +51,12 @@ impl<'a> Run<'a> {
     #[must_use]
     pub fn new(program: &'a [u8], setup: &'a Setup) -> Self {
         let reader = Reader::new(program, setup);
-        let start = reader.programs.texts().main_start();
+        let texts = reader.programs.texts();
+        let (start, schedule) = (texts.main_start(), texts.is_schedule(setup).then(|| Schedule::new(texts)));
         Self {
             reader,
             calls: Calls::new(start),
+            schedule,
             state: State::new(setup),
             compensation: Compensation::Off,
             setup,
@@ -74,7 +80,7 @@ impl<'a> Run<'a> {
             Ok(Progress::Going) => {}
             Ok(Progress::Ended) => self.ending = Some(Ending::End),
             Err(fault) => {
-                let alarm = Emission::new(Action::Alarm(fault.alarm), fault.rules);
+                let alarm = Emission::new(Action::Alarm(fault.alarm), fault.rules).readings(fault.readings);
                 self.send(fault.block.unwrap_or(place), alarm, sink);
                 self.ending = Some(Ending::Alarm);
             }
@@ -95,12 +101,15 @@ impl<'a> Run<'a> {
         place: &mut Place,
         decided: &mut Vec<(Place, Emission)>,
     ) -> Outcome<Progress> {
+        if self.in_schedule() {
+            return self.schedule_block(place, decided);
+        }
         let Block { place: here, content, behind } = self.reader.arrive(self.calls.running_mut(), place)?;
         let mut stream = self.compensation.stream(here, decided);
         let progress = self.carry_out(content, Carried { place: here, behind }, &mut stream);
         stream.close();
         if progress? == Progress::Ended {
-            return Ok(Progress::Ended);
+            return Ok(self.program_ended(decided));
         }
         self.modal_call(place, decided)?;
         Ok(Progress::Going)
@@ -111,6 +120,9 @@ impl<'a> Run<'a> {
             Content::Nothing | Content::Name => return Ok(Progress::Going),
             Content::Statement(statement) => {
                 return self.statement(&statement, block, stream).map(|()| Progress::Going);
+            }
+            Content::Communication(statement) => {
+                return self.communicate(&statement, stream).map(|()| Progress::Going);
             }
             Content::Words(words) => *words,
             Content::Items(items) => {
@@ -127,8 +139,9 @@ impl<'a> Run<'a> {
         let moved = self.motion(&plan, stream)?;
         if modal::ends_program(&plan) {
             self.compensation.end_of_program(stream, &self.state)?;
+            self.check_end_of_selected()?;
         }
-        if modal::after_motion(&plan, &mut self.state, &mut stream.emissions) {
+        if modal::after_motion(&plan, self.schedule.is_some(), &mut self.state, &mut stream.emissions) {
             return Ok(Progress::Ended);
         }
         self.compensation.end_of_block(moved, stream, &self.state)?;

@@ -6,6 +6,7 @@ use turnspec_oracle::vocabulary::{AlarmName, Chamfering, Label};
 use super::Interpreter;
 use super::compensation::Change;
 use super::fault::Fault;
+use super::planted::{self, Bug};
 use super::words::{Address, Parsed, Words};
 
 /// What a block does besides its modal codes.
@@ -59,7 +60,8 @@ pub struct Plan {
 impl Plan {
     /// Whether it is an axis motion command of E100L-MODIN-03.
     pub fn is_axis_motion(&self, words: &Words) -> bool {
-        let coordinate = words.has(Address::X) || words.has(Address::Z);
+        let turns = planted::is(Bug::TriggeredByC) && words.has(Address::C);
+        let coordinate = words.has(Address::X) || words.has(Address::Z) || turns;
         self.moves && self.one_shot != OneShot::TorqueSkip && coordinate
     }
 }

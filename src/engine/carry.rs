@@ -24,6 +24,7 @@ impl Interpreter<'_> {
             after_angle: self.state.angle_target.is_some(),
             left_over: self.compensation.is_left_over(),
         };
+        let from = planted::is(Bug::IdleNoTrigger).then_some(self.state.machine);
         let plan = self.check(parsed, words, before)?;
         for code in words.g_codes() {
             self.change_mode(*code, sink);
@@ -59,7 +60,7 @@ impl Interpreter<'_> {
         if self.compensation.acts() && !parsed.is_only_name() {
             self.finish_block(sink)?;
         }
-        if self.task.has_modes() && plan.is_axis_motion(words) {
+        if self.task.has_modes() && plan.is_axis_motion(words) && from != Some(self.state.machine) {
             self.call_modes(sink)?;
         }
         Ok(None)

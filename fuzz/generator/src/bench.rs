@@ -52,6 +52,35 @@ pub fn arcs_and_chamfers(blocks: usize) -> Vec<u8> {
     text.into_bytes()
 }
 
+/// A loop with a counting variable, a local variable, a motion and IF: a run begins about `blocks` blocks (at least 8). The
+/// number of blocks, and the set-up that permits them, come with it.
+#[must_use]
+pub fn counting_loop(blocks: usize) -> (Vec<u8>, Setup, usize) {
+    let passes = (blocks.saturating_sub(4) / 4).max(1);
+    let text = format!(
+        "G00 X0 Z0\nV1=0 XS=0\nN10 V1=V1+1 XS=XS+0.001\nN20 G00 X=XS\nN30 IF [V1 GE {passes}] N50\nN40 GOTO N10\nN50 M02\n"
+    );
+    (text.into_bytes(), long_run(), 2 + 4 * passes)
+}
+
+/// Calls within calls, three deep: a run makes about `calls` calls (at least 3). The number of blocks, and the set-up that
+/// permits them, come with it.
+#[must_use]
+pub fn nested_calls(calls: usize) -> (Vec<u8>, Setup, usize) {
+    let passes = (calls / 3).max(1);
+    let text = format!(
+        "V1=0\nN10 CALL O1\nV1=V1+1\nIF [V1 LT {passes}] N10\nM02\nO1\nCALL O2\nRTS\nO2\nCALL O3\nRTS\nO3\nRTS\n"
+    );
+    (text.into_bytes(), long_run(), 2 + 11 * passes)
+}
+
+/// A set-up for runs of any length.
+fn long_run() -> Setup {
+    let mut setup = Setup::default();
+    setup.limits.steps = u64::MAX;
+    setup
+}
+
 /// A program of assignments and of words with expressions, of `blocks` blocks (at least 2) with M02.
 #[must_use]
 pub fn expressions(blocks: usize) -> Vec<u8> {

@@ -48,7 +48,9 @@ mod unit;
 mod variables;
 mod words;
 
-pub use bench::{arcs_and_chamfers, compensated, expressions, straight_line, with_nose};
+pub use bench::{
+    arcs_and_chamfers, compensated, counting_loop, expressions, nested_calls, straight_line, with_nose,
+};
 pub use case::{Case, case_from_seed, case_from_seed_within};
 pub use expression::{Expression, Function, Operator, Variable};
 pub use formulas::Formulas;

@@ -79,7 +79,10 @@ impl Accepted {
             return None;
         }
         self.began |= *body != Body::Empty;
-        self.count += u64::from(matches!(body, Body::Items(_) | Body::Noex(_) | Body::Statement(_)));
+        self.count += u64::from(matches!(
+            body,
+            Body::Items(_) | Body::Noex(_) | Body::Statement(_) | Body::Communication(_)
+        ));
         Some(self)
     }
 }

@@ -2,7 +2,7 @@
 
 use arbitrary::{Arbitrary, Unstructured};
 use turnspec_generator::{Case, Respelled};
-use turnspec_oracle::syntax::{Body, Source, parse};
+use turnspec_oracle::syntax::{Body, Source, Statement, parse};
 use turnspec_oracle::vocabulary::{Event, Label, Setup, TapeCode};
 
 use crate::differential::show;
@@ -86,7 +86,10 @@ fn reads_back(sequence: Label, body: &Body, setup: &Setup) -> Verdict {
 /// A body without the spans of its items.
 fn kinds(body: &Body) -> Body {
     let mut body = body.clone();
-    if let Body::Items(items) = &mut body {
+    if let Body::Items(items)
+    | Body::Noex(items)
+    | Body::Statement(Statement::Call(_, items) | Statement::Modin(_, items)) = &mut body
+    {
         for item in items {
             item.span = 0..0;
         }

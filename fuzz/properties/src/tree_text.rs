@@ -1,8 +1,8 @@
 //! The plain text of a syntax tree: no superfluous brackets, one blank between items.
 
 use turnspec_oracle::syntax::{
-    Address, BinaryOperator, Body, Callee, Condition, Decimal, Expression, Function, Item, ItemKind,
-    Statement, Value, Variable,
+    Address, BinaryOperator, Body, Callee, Characters, Communication, Condition, Decimal, Expression,
+    Function, Item, ItemKind, Statement, StringForm, Value, Variable,
 };
 
 /// The text of a block of this sequence name and body, without end of block.
@@ -15,11 +15,37 @@ pub(crate) fn block(sequence: &str, body: &Body) -> String {
         Body::Items(items) => name + &joined(items),
         Body::Noex(items) => format!("{name}NOEX {}", joined(items)),
         Body::Statement(each) => name + &statement(each),
+        Body::Communication(each) => format!("{name}{} {}", each.keyword(), communication(each)),
     }
 }
 
 fn joined(items: &[Item]) -> String {
     items.iter().map(item).collect::<Vec<_>>().join(" ")
+}
+
+fn communication(statement: &Communication) -> String {
+    match statement {
+        Communication::Read(channel) | Communication::Write(channel) => channel.to_string(),
+        Communication::Get(target, None) => variable(target),
+        Communication::Get(target, Some(length)) => format!("{},{length}", variable(target)),
+        Communication::Put(source, length) => format!("{},{length}", variable(source)),
+        Communication::Skip(length) => format!(",{length}"),
+        Communication::Append(codes) if codes.iter().all(|code| *code == b' ') => format!(",{}", codes.len()),
+        Communication::Append(codes) => format!("${}", hexadecimal(codes)),
+    }
+}
+
+fn hexadecimal(codes: &[u8]) -> String {
+    codes.iter().map(|code| format!("{code:02X}")).collect()
+}
+
+fn characters(characters: &Characters) -> String {
+    let plain = || characters.codes.iter().map(|code| char::from(*code)).collect::<String>();
+    match characters.form {
+        StringForm::Plain => format!("'{}'", plain()),
+        StringForm::LowerCase => format!("^'{}'", plain().to_ascii_uppercase()),
+        StringForm::Codes => format!("'${}'", hexadecimal(&characters.codes)),
+    }
 }
 
 fn statement(statement: &Statement) -> String {
@@ -45,6 +71,9 @@ fn item(item: &Item) -> String {
         ItemKind::Word(address, value) => word(*address, value),
         ItemKind::Assignment(target, value) => {
             format!("{}={}", variable(target), expression(value, Level::Or))
+        }
+        ItemKind::Comment(position, text) => {
+            format!("VUACM[{}]={}", expression(position, Level::Or), characters(text))
         }
         ItemKind::MajorArc => "CALRG".to_owned(),
     }

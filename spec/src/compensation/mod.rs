@@ -99,6 +99,11 @@ impl Compensation {
         Ok(())
     }
 
+    /// The beginning of a statement (E100L-CTL-01).
+    pub fn begin_statement(&mut self) -> Outcome<()> {
+        if let Self::On(on) = self { on.meet_statement() } else { Ok(()) }
+    }
+
     /// The end of a statement: it is not counted (E100L-CTL-01).
     pub fn end_of_statement(&mut self, stream: &mut Stream) {
         *self = match std::mem::take(self) {
@@ -109,10 +114,14 @@ impl Compensation {
 
     /// M02 or M30: the last motion ends in contact, and the axes stay there (E100L-NRC-44).
     pub fn end_of_program(&mut self, stream: &mut Stream, state: &State) -> Outcome<()> {
-        if let Self::On(on) = std::mem::take(self) {
-            on.conclude(NRC_44, None, stream, state.setup)?;
-            stream.holding = false;
-        }
+        *self = match std::mem::take(self) {
+            Self::On(on) => {
+                on.conclude(NRC_44, None, stream, state.setup)?;
+                stream.holding = false;
+                Self::Off
+            }
+            other => other,
+        };
         Ok(())
     }
 }

@@ -9,12 +9,12 @@ use super::reach::Reach;
 use super::start_up;
 use super::stream::Stream;
 use crate::emission::Emission;
-use crate::fault::Outcome;
+use crate::fault::{Fault, Outcome};
 use crate::integer::between::is_too_long;
 use crate::path::{Point, Vector};
 use crate::state::State;
 use crate::vocabulary::rule_ids::*;
-use crate::vocabulary::{Place, RuleId, RuleSet, Setup};
+use crate::vocabulary::{AlarmName, Place, RuleId, RuleSet, Setup};
 
 /// Compensation in force.
 pub struct On {
@@ -24,9 +24,14 @@ pub struct On {
     pub waiting: Waiting,
     /// Whether one block without X/Z motion has come since it began to wait.
     pub one_between: bool,
+    /// How many statements have come since it began to wait.
+    pub statements: usize,
     /// What later blocks have emitted behind it.
     pub held: Vec<(Place, Emission)>,
 }
+
+/// E100L-CTL-01: how many statements may come behind a motion that waits.
+const MOST_STATEMENTS: usize = 100;
 
 /// The motion that waits.
 pub enum Waiting {
@@ -43,7 +48,7 @@ pub enum Waiting {
 impl On {
     /// In force, with a start-up that waits.
     pub fn started(axes: Point, waiting: Waiting) -> Self {
-        Self { axes, waiting, one_between: false, held: Vec::new() }
+        Self { axes, waiting, one_between: false, statements: 0, held: Vec::new() }
     }
 
     /// The element j begins; the axes are where it begins then.
@@ -124,6 +129,18 @@ impl On {
         Ok(Self::started(axes, Waiting::Nothing(last, Back::present(stream.place, state))))
     }
 
+    /// E100L-CTL-01: a statement comes; how many a control reads ahead behind a motion that waits the manual does not tell.
+    pub fn meet_statement(&mut self) -> Outcome<()> {
+        if matches!(self.waiting, Waiting::Nothing(..)) {
+            return Ok(());
+        }
+        if self.statements == MOST_STATEMENTS {
+            return Err(Fault::about(AlarmName::Unspecified, CTL_01, "statements"));
+        }
+        self.statements += 1;
+        Ok(())
+    }
+
     /// A statement has ended, which is no block without motion: its events wait behind the motion, if one waits.
     pub fn pass_statement(self, stream: &mut Stream) -> Self {
         if !matches!(self.waiting, Waiting::Nothing(..)) {
@@ -131,7 +148,7 @@ impl On {
         }
         let held = Held { axes: self.axes, events: self.held };
         let axes = held.release(stream);
-        Self { axes, waiting: self.waiting, one_between: self.one_between, held: Vec::new() }
+        Self { axes, held: Vec::new(), ..self }
     }
 
     /// Compensation or the program ends; `rule` is that of the contact then. The axes are where the last motion ended.

@@ -157,8 +157,8 @@ fn spindle_words(plan: &Plan, state: &mut State, emissions: &mut Vec<Emission>) 
     Ok(())
 }
 
-/// Carries out what comes after the motion; `true` when the program has ended.
-pub fn after_motion(plan: &Plan, state: &mut State, emissions: &mut Vec<Emission>) -> bool {
+/// Carries out what comes after the motion; `true` when the program has ended. `selected`: a schedule program runs it.
+pub fn after_motion(plan: &Plan, selected: bool, state: &mut State, emissions: &mut Vec<Emission>) -> bool {
     let code = plan.words.m.iter().copied().find(|code| is_program_code(*code));
     match code {
         Some(0) => emissions.push(Emission::new(Action::Stop, RuleSet::of(&[MCODE_02]))),
@@ -166,9 +166,11 @@ pub fn after_motion(plan: &Plan, state: &mut State, emissions: &mut Vec<Emission
             emissions.push(Emission::new(Action::OptionalStop, RuleSet::of(&[MCODE_03])));
         }
         Some(code @ (2 | 30)) => {
-            emissions.append(&mut reset(state));
+            if !selected {
+                emissions.append(&mut reset(state));
+            }
             let end = Action::End { code: Label::of_code(b'M', code) };
-            emissions.push(Emission::new(end, RuleSet::of(&[MCODE_04])));
+            emissions.push(Emission::new(end, RuleSet::of(&[MCODE_04])).rule_if(selected, SDF_14));
             return true;
         }
         _ => {}

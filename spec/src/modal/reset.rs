@@ -18,8 +18,10 @@ const RESET: [(GGroup, RuleSet); 7] = [
     (GGroup::Plane, RuleSet::of(&[MCODE_04, CRC_04])),
 ];
 
-/// Resets the modes and the zero shift; the events of what changes.
+/// Resets the modes and the zero shift, and without an event the areas and the comment of the user task; the events
+/// of what changes.
 pub fn reset(state: &mut State) -> Vec<Emission> {
+    state.memory.reset();
     let mut emissions = Vec::new();
     for (group, rules) in RESET {
         let (active, initial) = (state.modes.get(group), group.initial());

@@ -98,7 +98,11 @@ pub fn evaluate(
             }
             ItemKind::Assignment(target, value) => {
                 words.assigns = true;
-                task::assign(target, value, owner, state).map(|mut events| emissions.append(&mut events))
+                task::assign(target, value, owner, state, emissions)
+            }
+            ItemKind::Comment(position, characters) => {
+                words.assigns = true;
+                task::comment(position, characters, state).map(|event| emissions.push(event))
             }
             ItemKind::Word(address, value) => add(*address, value, item.span.clone(), state, &mut words),
         };
@@ -113,7 +117,13 @@ struct Given {
     real: bool,
 }
 
-fn add(address: Address, value: &Value, span: Range<u32>, state: &State, words: &mut Words) -> Outcome<()> {
+fn add(
+    address: Address,
+    value: &Value,
+    span: Range<u32>,
+    state: &mut State,
+    words: &mut Words,
+) -> Outcome<()> {
     let given = match value {
         Value::Number(decimal) => Given { value: decimal.exact(), real: decimal.point },
         Value::Expression(expression) => {

@@ -5,7 +5,6 @@ use super::reading::{Block, Content};
 use crate::fault::{Fault, Outcome};
 use crate::modal::{self, Before, Plan};
 use crate::path::{self, Ahead};
-use crate::syntax::ItemKind;
 use crate::task::Registration;
 use crate::vocabulary::rule_ids::*;
 use crate::vocabulary::{AlarmName, Chamfering, Setup};
@@ -50,7 +49,7 @@ impl Run<'_> {
                 return Err(fault.of_block(place));
             }
             Content::Items(items) => {
-                if items.iter().any(|item| matches!(item.kind, ItemKind::Assignment(..))) {
+                if items.iter().any(|item| item.kind.is_assignment()) {
                     return Ok(None);
                 }
                 // Without assignments nothing is registered.
@@ -61,7 +60,7 @@ impl Run<'_> {
                 words
             }
             Content::Words(words) => words.as_ref().clone(),
-            Content::Nothing | Content::Name => return Ok(None),
+            Content::Nothing | Content::Name | Content::Communication(_) => return Ok(None),
         };
         let plan = modal::check(words, before, &self.state);
         plan.map(|plan| Some(Ahead { plan, place })).map_err(|fault| fault.of_block(place))

@@ -1,6 +1,6 @@
 //! The programs of the texts, and where their names stand (E100L-CALL-03, E100L-CALL-06, E100L-GOTO-02).
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::texts::{Read, Spot, Texts};
 use crate::fault::{Fault, Outcome};
@@ -23,6 +23,8 @@ pub struct Programs<'a> {
     setup: &'a Setup,
     /// All programs with a name, once they were asked for.
     all: Option<Vec<Program>>,
+    /// The texts that subprograms are found in, if not in all (E100L-SDF-10).
+    pub within: Option<BTreeSet<usize>>,
     /// The sequence names of the programs, by the places where these begin.
     names: BTreeMap<Spot, Names>,
 }
@@ -40,7 +42,7 @@ struct Names {
 impl<'a> Programs<'a> {
     /// The programs of the main text and the library.
     pub fn new(main: &'a [u8], setup: &'a Setup) -> Self {
-        Self { texts: Texts::new(main, setup), setup, all: None, names: BTreeMap::new() }
+        Self { texts: Texts::new(main, setup), setup, all: None, within: None, names: BTreeMap::new() }
     }
 
     /// The texts.
@@ -48,16 +50,23 @@ impl<'a> Programs<'a> {
         &self.texts
     }
 
-    /// E100L-CALL-03, E100L-NAME-04, E100L-NAME-05: the one program of a name, compared as text.
+    /// E100L-CALL-03: the program that is called by a name.
     pub fn find(&mut self, name: Label) -> Outcome<Program> {
+        let within = self.within.clone();
+        let found = self.only(name, |text| within.as_ref().is_none_or(|within| within.contains(&text)))?;
+        found.ok_or_else(|| Fault::about(AlarmName::ProgramUnknown, CALL_03, name.as_str()))
+    }
+
+    /// E100L-NAME-04, E100L-NAME-05: the only program of a name, compared as text, in the texts that are searched.
+    pub fn only(&mut self, name: Label, searched: impl Fn(usize) -> bool) -> Outcome<Option<Program>> {
         let (texts, setup) = (&self.texts, self.setup);
         let all = self.all.get_or_insert_with(|| programs(texts, setup));
-        let mut found = all.iter().filter(|program| program.name == name);
-        match (found.next(), found.next()) {
-            (Some(program), None) => Ok(*program),
-            (None, _) => Err(Fault::about(AlarmName::ProgramUnknown, CALL_03, name.as_str())),
-            _ => Err(Fault::about(AlarmName::ProgramDuplicate, NAME_05, name.as_str())),
+        let mut found = all.iter().filter(|program| program.name == name && searched(program.start.text));
+        let first = found.next().copied();
+        if found.next().is_some() {
+            return Err(Fault::about(AlarmName::ProgramDuplicate, NAME_05, name.as_str()));
         }
+        Ok(first)
     }
 
     /// E100L-GOTO-02, E100L-SEQ-04, E100L-DEL-04: the first block with a name in the program that begins at `start`,

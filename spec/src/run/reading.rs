@@ -6,7 +6,7 @@ use super::programs::Programs;
 use super::texts::{Read, Spot};
 use crate::fault::{Fault, Outcome};
 use crate::modal::Words;
-use crate::syntax::{Body, Heading, Item, Statement, heading, parse};
+use crate::syntax::{Body, Communication, Heading, Item, Statement, heading, parse};
 use crate::task::Activation;
 use crate::vocabulary::rule_ids::*;
 use crate::vocabulary::{AlarmName, Label, Place, Setup};
@@ -31,8 +31,10 @@ pub enum Content {
     Items(Vec<Item>),
     /// Words that look-ahead has evaluated.
     Words(Box<Words>),
-    /// A statement.
+    /// A statement that tells which block comes next.
     Statement(Statement),
+    /// A statement of data communication.
+    Communication(Communication),
 }
 
 /// The place of a run in its texts.
@@ -77,7 +79,7 @@ impl<'a> Reader<'a> {
         if program.began && self.begins_program(&read) {
             *place = here;
             // E100L-RTS-01: of the block that the next program begins with nothing is checked.
-            return if program.caller.is_some() {
+            return if program.caller.is_some() || program.selected {
                 Err(end(program))
             } else {
                 self.block(read, program, place)
@@ -88,7 +90,7 @@ impl<'a> Reader<'a> {
     }
 
     /// E100L-GOTO-03: one step more.
-    fn step(&mut self, block: Place, place: &mut Place) -> Outcome<()> {
+    pub fn step(&mut self, block: Place, place: &mut Place) -> Outcome<()> {
         *place = block;
         if self.steps >= self.setup.limits.steps {
             return Err(Fault::new(AlarmName::StepLimit, GOTO_03));
@@ -127,6 +129,7 @@ impl<'a> Reader<'a> {
             Body::Items(items) if items.is_empty() => Content::Name,
             Body::Items(items) | Body::Noex(items) => Content::Items(items),
             Body::Statement(statement) => Content::Statement(statement),
+            Body::Communication(statement) => Content::Communication(statement),
         };
         self.next = behind;
         Ok(Block { place: *place, content, behind })

@@ -5,7 +5,7 @@ use crate::compensation::Stream;
 use crate::emission::Emission;
 use crate::fault::{Fault, Outcome};
 use crate::modal;
-use crate::syntax::{Callee, Condition, Item, Statement};
+use crate::syntax::{Callee, Communication, Condition, Item, Statement};
 use crate::task::{self, Caller, Mode, Owner, Registration};
 use crate::vocabulary::rule_ids::*;
 use crate::vocabulary::{Action, AlarmName, CallCause, Label, Place, RuleId, RuleSet};
@@ -27,6 +27,7 @@ impl Run<'_> {
         block: Carried,
         stream: &mut Stream,
     ) -> Outcome<()> {
+        self.compensation.begin_statement()?;
         let level = self.setup.options.user_task;
         if level < 2 && !matches!(statement, Statement::Goto(_) | Statement::If(..)) {
             // E100L-UT-02, E100L-UT-03: subprograms are User Task 2.
@@ -52,6 +53,17 @@ impl Run<'_> {
         Ok(())
     }
 
+    /// READ, WRITE, GET and PUT: a block without motion.
+    pub(super) fn communicate(&mut self, statement: &Communication, stream: &mut Stream) -> Outcome<()> {
+        let own = Registration::Change { program: self.calls.depth() };
+        task::communicate(statement, own, &mut self.state, &mut stream.emissions)?;
+        if matches!(statement, Communication::Get(..)) {
+            // The frame may have changed: a corner of before means nothing now.
+            self.state.base = None;
+        }
+        self.compensation.end_of_block(false, stream, &self.state)
+    }
+
     /// E100L-GOTO-01 to -03, E100L-IFST-03: the run goes on with the block of a name; nothing else changes.
     fn jump(&mut self, name: Label, rule: RuleId) -> Outcome<()> {
         match self.reader.programs.block(name, self.calls.running().start) {
@@ -64,9 +76,9 @@ impl Run<'_> {
     }
 
     /// E100L-IFST-01, E100L-IFST-02, E100L-IFST-04: every value but zero is true, and every name that has an entry.
-    fn holds(&self, condition: &Condition) -> Outcome<bool> {
+    pub(super) fn holds(&mut self, condition: &Condition) -> Outcome<bool> {
         match condition {
-            Condition::Value(expression) => Ok(task::evaluate(expression, &self.state)?.real() != 0.0),
+            Condition::Value(expression) => Ok(task::evaluate(expression, &mut self.state)?.real() != 0.0),
             Condition::Registered(name) => Ok(self.state.memory.locals.get(*name).is_some()),
         }
     }

@@ -35,6 +35,22 @@ impl<'a> Texts<'a> {
         self.library.get(index).map(|(file, _)| *file)
     }
 
+    /// E100L-SDF-07: the text with a file name.
+    pub fn of_file(&self, file: &str) -> Option<usize> {
+        self.library.iter().position(|(name, _)| *name == file).map(|index| index + 1)
+    }
+
+    /// E100L-SDF-10: the texts of system and manufacturer subprograms.
+    pub fn of_system(&self) -> impl Iterator<Item = usize> {
+        let files = self.library.iter().zip(1..);
+        files.filter(|((file, _), _)| file.ends_with(".SSB") || file.ends_with(".MSB")).map(|(_, text)| text)
+    }
+
+    /// E100L-SDF-01: whether the main text is a schedule program.
+    pub fn is_schedule(&self, setup: &Setup) -> bool {
+        Source::new(self.main, self.code).header_of_schedule().unwrap_or(setup.schedule)
+    }
+
     /// The beginning of the main text, its file header included.
     pub fn main_start(&self) -> Spot {
         Spot { text: 0, position: 0, line: 1 }
@@ -42,11 +58,14 @@ impl<'a> Texts<'a> {
 
     /// The beginning of each text, its file header passed over.
     pub fn starts(&self) -> impl Iterator<Item = Spot> {
-        (0..=self.library.len()).map(|text| {
-            let mut source = Source::new(self.bytes(text), self.code);
-            source.skip_header();
-            spot(text, &source)
-        })
+        (0..=self.library.len()).map(|text| self.start(text))
+    }
+
+    /// The beginning of a text, its file header passed over.
+    pub fn start(&self, text: usize) -> Spot {
+        let mut source = Source::new(self.bytes(text), self.code);
+        source.skip_header();
+        spot(text, &source)
     }
 
     /// The block that begins at a place, and the place behind it; none at the end of the text.

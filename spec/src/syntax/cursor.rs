@@ -35,6 +35,11 @@ impl<'a> Cursor<'a> {
         self.index.checked_sub(1).and_then(|index| self.characters.get(index)).map(|character| character.code)
     }
 
+    /// Whether the character here is the mark of a continuation.
+    pub fn at_continuation(&self) -> bool {
+        self.characters.get(self.index).is_some_and(|character| character.continues)
+    }
+
     /// Goes on by a number of characters.
     pub fn advance(&mut self, count: usize) {
         self.index += count;

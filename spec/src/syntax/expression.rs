@@ -1,7 +1,7 @@
 //! Expressions, one function a level of precedence (E100L-MATH-17, E100L-AEXP-05, E100L-AEXP-06, E100L-AEXP-07).
 
 use super::cursor::Cursor;
-use super::items::{has_blanks, local_name, not_has_blanks, variable};
+use super::items::{Role, has_blanks, local_name, not_has_blanks, variable};
 use super::number;
 use super::tree::{BinaryOperator, Expression, Function, Variable};
 use crate::controls::e100l::addresses::{EXTENDED, EXTENDED_LATER, OPERATOR_WORDS, STATEMENTS};
@@ -85,12 +85,7 @@ fn signed(cursor: &mut Cursor, setup: &Setup) -> Outcome<Expression> {
 
 fn primary(cursor: &mut Cursor, setup: &Setup) -> Outcome<Expression> {
     match cursor.peek() {
-        Some(b'0'..=b'9' | b'.') => {
-            let constant = number::constant(cursor)?;
-            // E100L-TYPE-02: eight digits always fit.
-            let integer = i32::try_from(constant.digits).ok().filter(|_| !constant.point);
-            Ok(integer.map_or(Expression::Real(constant), Expression::Integer))
-        }
+        Some(b'0'..=b'9' | b'.') => constant(cursor),
         Some(b'$') => number::hexadecimal(cursor).map(Expression::Integer),
         Some(b'[') => {
             cursor.advance(1);
@@ -98,10 +93,20 @@ fn primary(cursor: &mut Cursor, setup: &Setup) -> Outcome<Expression> {
             close_bracket(cursor)?;
             Ok(inner)
         }
-        Some(b'V') if cursor.run() != "VSET" => Ok(Expression::Variable(Box::new(variable(cursor, setup)?))),
+        Some(b'V') if cursor.run() != "VSET" => {
+            Ok(Expression::Variable(Box::new(variable(cursor, setup, Role::Read)?)))
+        }
         Some(b'A'..=b'Z') => named(cursor, setup),
         _ => Err(cursor.unexpected()),
     }
+}
+
+/// E100L-TYPE-02, E100L-TYPE-03: a constant, at its first digit or its point.
+pub fn constant(cursor: &mut Cursor) -> Outcome<Expression> {
+    let constant = number::constant(cursor)?;
+    // Eight digits always fit.
+    let integer = i32::try_from(constant.digits).ok().filter(|_| !constant.point);
+    Ok(integer.map_or(Expression::Real(constant), Expression::Integer))
 }
 
 fn named(cursor: &mut Cursor, setup: &Setup) -> Outcome<Expression> {

@@ -13,12 +13,18 @@ use crate::vocabulary::{AlarmName, Label, Setup};
 pub fn parse(line: &Line, setup: &Setup, sequence: &mut Label) -> Outcome<Block> {
     line.check()?;
     let mut cursor = Cursor::new(&line.characters, line.place.end);
-    let body = body(&mut cursor, setup, sequence)?;
+    let body = body(&mut cursor, setup, setup.switches.block_delete, sequence)?;
     Ok(Block { sequence: *sequence, body })
 }
 
-fn body(cursor: &mut Cursor, setup: &Setup, sequence: &mut Label) -> Outcome<Body> {
-    let skips = setup.switches.block_delete;
+/// Reads what a block holds, whether the block delete switch would skip it or not.
+pub fn parse_whole(line: &Line, setup: &Setup) -> Outcome<Body> {
+    line.check()?;
+    let mut cursor = Cursor::new(&line.characters, line.place.end);
+    body(&mut cursor, setup, false, &mut Label::default())
+}
+
+fn body(cursor: &mut Cursor, setup: &Setup, skips: bool, sequence: &mut Label) -> Outcome<Body> {
     let Beginning { is_name, in_front, name } = beginning(cursor, skips)?;
     if is_name {
         return program_name(cursor);
@@ -46,17 +52,17 @@ fn body(cursor: &mut Cursor, setup: &Setup, sequence: &mut Label) -> Outcome<Bod
 }
 
 /// What stands first in a block.
-struct Beginning {
+pub(super) struct Beginning {
     /// Whether it is a name block; the cursor is at its `O` or `:`.
-    is_name: bool,
+    pub is_name: bool,
     /// Whether a slash stands in front of the sequence name, or of all else.
-    in_front: bool,
+    pub in_front: bool,
     /// The sequence name; the cursor is behind it.
-    name: Option<Label>,
+    pub name: Option<Label>,
 }
 
 /// Reads to the end of the sequence name.
-fn beginning(cursor: &mut Cursor, skips: bool) -> Outcome<Beginning> {
+pub(super) fn beginning(cursor: &mut Cursor, skips: bool) -> Outcome<Beginning> {
     cursor.skip_blanks()?;
     if matches!(cursor.peek(), Some(b'O' | b':')) {
         return Ok(Beginning { is_name: true, in_front: false, name: None });

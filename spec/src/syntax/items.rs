@@ -2,12 +2,12 @@
 
 use super::cursor::{Cursor, is_blank_after, is_blank_before};
 use super::tree::{Address, BinaryOperator, Expression, Function, Item, ItemKind, Value, Variable};
-use super::{expression, number};
+use super::{expression, number, string};
 use crate::controls::e100l::addresses::{EXTENDED, EXTENDED_LATER, LETTERS, OPERATOR_WORDS, STATEMENTS};
-use crate::controls::e100l::system_variables::{self, SystemVariable};
+use crate::controls::e100l::system_variables::{self, Quantity, SystemVariable};
 use crate::fault::{Fault, Outcome, fail};
 use crate::vocabulary::rule_ids::*;
-use crate::vocabulary::{AlarmName, Label, Setup};
+use crate::vocabulary::{AlarmName, Label, RuleId, Setup};
 
 /// Reads items to the end of the block.
 pub fn items(cursor: &mut Cursor, setup: &Setup) -> Outcome<Vec<Item>> {
@@ -162,27 +162,50 @@ fn operator_follows(cursor: &mut Cursor) -> Outcome<bool> {
     Ok(sign || BinaryOperator::of_word(&cursor.run()).is_some())
 }
 
-/// E100L-AEXP-01: a variable, `=` and an expression.
+/// E100L-AEXP-01: a variable, `=` and an expression, or a string for the comment of user alarms (E100L-VUACM-01).
 fn assignment(cursor: &mut Cursor, setup: &Setup) -> Outcome<ItemKind> {
-    let target = variable(cursor, setup)?;
+    if cursor.run() == system_variables::COMMENT {
+        return string::comment(cursor, setup);
+    }
+    let target = variable(cursor, setup, Role::Written)?;
     setting(cursor, target, setup)
 }
 
 /// E100L-FMT-02: the rest of an assignment.
 fn setting(cursor: &mut Cursor, target: Variable, setup: &Setup) -> Outcome<ItemKind> {
-    cursor.skip_blanks()?;
-    if !cursor.take(b'=') {
-        return fail(AlarmName::EqualSignMissing, FMT_02);
-    }
-    if let Variable::System(SystemVariable { rule: None, .. }, _) = target {
-        return fail(AlarmName::VariableReadOnly, SVTAB_01);
-    }
+    equal_sign(cursor)?;
+    may_be_written(&target)?;
     let value = expression::expression(cursor, setup)?;
     Ok(ItemKind::Assignment(target, value))
 }
 
+/// E100L-FMT-02: `=` behind a variable.
+pub fn equal_sign(cursor: &mut Cursor) -> Outcome<()> {
+    cursor.skip_blanks()?;
+    if cursor.take(b'=') { Ok(()) } else { fail(AlarmName::EqualSignMissing, FMT_02) }
+}
+
+/// E100L-SVTAB-01, E100L-IOV-01, E100L-IORD-01: not every variable can be written.
+pub fn may_be_written(variable: &Variable) -> Outcome<()> {
+    match variable {
+        Variable::System(system @ SystemVariable { rule: None, .. }, _) => {
+            fail(AlarmName::VariableReadOnly, system.form())
+        }
+        _ => Ok(()),
+    }
+}
+
+/// What a variable is named for.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Role {
+    /// Its value is asked for.
+    Read,
+    /// It is to be set.
+    Written,
+}
+
 /// E100L-CVAR-01, E100L-SVAR-01: a common or a system variable, at its `V`.
-pub fn variable(cursor: &mut Cursor, setup: &Setup) -> Outcome<Variable> {
+pub fn variable(cursor: &mut Cursor, setup: &Setup, role: Role) -> Outcome<Variable> {
     let run = cursor.run();
     cursor.advance(run.len());
     let name = run.get(1..).unwrap_or_default();
@@ -192,6 +215,10 @@ pub fn variable(cursor: &mut Cursor, setup: &Setup) -> Outcome<Variable> {
     let Some(system) = system_variables::MODELLED.iter().find(|each| each.name == run) else {
         if run == system_variables::UNIT_SYSTEM {
             return Err(Fault::about(AlarmName::Unspecified, SVTAB_05, &run));
+        }
+        if run == system_variables::COMMENT {
+            // It holds text, no number.
+            return Err(Fault::about(AlarmName::Unspecified, VUACM_01, &run));
         }
         let later = system_variables::LATER.contains(&run.as_str());
         return Err(if later {
@@ -203,7 +230,10 @@ pub fn variable(cursor: &mut Cursor, setup: &Setup) -> Outcome<Variable> {
     if system.needs_w() && !setup.options.w_axis {
         return Err(Fault::about(AlarmName::NotModelled, SVTAB_01, &run));
     }
-    let suffix = suffix(cursor, setup, system.suffix(setup.options.offset_sets).is_some())?;
+    if system.quantity == Quantity::Output && role == Role::Read {
+        return Err(Fault::about(AlarmName::Unspecified, IOV_02, &run));
+    }
+    let suffix = suffix(cursor, setup, system.has_suffix(), system.form())?;
     Ok(Variable::System(system, suffix))
 }
 
@@ -217,20 +247,29 @@ fn common_variable(digits: &str) -> Outcome<Variable> {
     }
 }
 
-fn suffix(cursor: &mut Cursor, setup: &Setup, wanted: bool) -> Outcome<Option<Expression>> {
+/// The number in brackets behind a name, if one is wanted; `rule` is the one that says so.
+fn suffix(cursor: &mut Cursor, setup: &Setup, wanted: bool, rule: RuleId) -> Outcome<Option<Expression>> {
+    if wanted {
+        return bracketed_number(cursor, setup, rule).map(Some);
+    }
     let end = cursor.mark();
     cursor.skip_blanks()?;
-    if (cursor.peek() == Some(b'[')) != wanted {
-        return fail(AlarmName::VariableSuffix, SVTAB_01);
+    if cursor.peek() == Some(b'[') {
+        return fail(AlarmName::VariableSuffix, rule);
     }
-    if !wanted {
-        cursor.rewind(end);
-        return Ok(None);
-    }
-    cursor.advance(1);
-    let number = expression::expression(cursor, setup)?;
+    cursor.rewind(end);
+    Ok(None)
+}
+
+/// The number in brackets that a name must have.
+pub fn bracketed_number(cursor: &mut Cursor, setup: &Setup, rule: RuleId) -> Outcome<Expression> {
     cursor.skip_blanks()?;
-    if cursor.take(b']') { Ok(Some(number)) } else { fail(AlarmName::BracketUnbalanced, AEXP_04) }
+    if !cursor.take(b'[') {
+        return fail(AlarmName::VariableSuffix, rule);
+    }
+    let number = expression::expression(cursor, setup)?;
+    expression::close_bracket(cursor)?;
+    Ok(number)
 }
 
 /// E100L-MATH-06, E100L-AEXP-03: a binary operator word of this length here has a blank on both sides.

@@ -17,6 +17,8 @@ pub struct Character {
     pub offset: u32,
     /// Whether its byte breaks the parity, or is no character of the code.
     pub faulty: bool,
+    /// Whether it is the mark of a continuation, which reads as a blank.
+    pub continues: bool,
 }
 
 /// The text of one block: a line and its continuations.
@@ -63,6 +65,16 @@ impl<'a> Source<'a> {
         }
     }
 
+    /// E100L-PROG-01, E100L-SDF-01: whether the file header says that the text is a schedule program; none without a
+    /// header.
+    pub fn header_of_schedule(&self) -> Option<bool> {
+        if self.position > 0 || !self.at_dollar() {
+            return None;
+        }
+        let line = self.bytes.split(|byte| self.character(*byte) == Some(b'\n')).next();
+        Some(extension(&self.header_text(line.unwrap_or_default())) == Some("SDF"))
+    }
+
     /// The next block's text, its continuation lines joined (E100L-AEXP-12); lines of `%` alone are no blocks (E100L-TAPE-04). At the end `None`.
     ///
     /// # Errors
@@ -88,6 +100,7 @@ impl<'a> Source<'a> {
                 let mut characters = continuation.characters;
                 if let Some(mark) = characters.first_mut() {
                     mark.code = b' ';
+                    mark.continues = true;
                 }
                 line.length += continuation.length;
                 line.characters.append(&mut characters);
@@ -126,26 +139,25 @@ impl<'a> Source<'a> {
         if bytes.iter().any(|byte| self.is_faulty(*byte)) {
             return Err(Fault::new(AlarmName::ParityError, CMT_02));
         }
+        let text = self.header_text(bytes);
+        if text.last() != Some(&b'%') {
+            return Err(Fault::new(AlarmName::HeaderMalformed, PROG_05));
+        }
+        // E100L-PROG-01: subprograms are only called.
+        match extension(&text) {
+            Some(kind @ ("SUB" | "SSB" | "MSB")) => Err(Fault::about(AlarmName::ProgramKind, PROG_01, kind)),
+            _ => Ok(()),
+        }
+    }
+
+    /// The characters of a header, without those that are ignored at its end.
+    fn header_text(&self, bytes: &[u8]) -> Vec<u8> {
         let characters = bytes.iter().filter_map(|byte| self.character(*byte));
         let mut text: Vec<u8> = characters.filter(|code| *code != b'\n').collect();
         while text.last().is_some_and(|last| is_ignored(*last)) {
             text.pop();
         }
-        if text.pop() != Some(b'%') {
-            return Err(Fault::new(AlarmName::HeaderMalformed, PROG_05));
-        }
-        let extension = text.rsplit(|code| *code == b'.').next().unwrap_or_default();
-        let letters = extension.iter().take_while(|code| code.is_ascii_uppercase()).count();
-        // E100L-PROG-01: schedule programs, and subprograms, which are only called.
-        match std::str::from_utf8(extension.get(..letters).unwrap_or_default()) {
-            Ok(kind @ "SDF") if text.contains(&b'.') => {
-                Err(Fault::about(AlarmName::NotModelled, PROG_01, kind))
-            }
-            Ok(kind @ ("SUB" | "SSB" | "MSB")) if text.contains(&b'.') => {
-                Err(Fault::about(AlarmName::ProgramKind, PROG_01, kind))
-            }
-            _ => Ok(()),
-        }
+        text
     }
 
     fn is_faulty(&self, byte: u8) -> bool {
@@ -167,7 +179,8 @@ impl<'a> Source<'a> {
         while let Some(&byte) = self.bytes.get(self.position) {
             let code = self.character(byte);
             let faulty = self.is_faulty(byte);
-            let character = Character { code: code.unwrap_or(0), offset: offset(self.position), faulty };
+            let (code, offset_here) = (code.unwrap_or(0), offset(self.position));
+            let character = Character { code, offset: offset_here, faulty, continues: false };
             self.position += 1;
             if character.code == b'\n' {
                 if faulty {
@@ -207,6 +220,14 @@ impl Line {
             None => Ok(()),
         }
     }
+}
+
+/// The letters behind the last point of a header.
+fn extension(header: &[u8]) -> Option<&str> {
+    let point = header.iter().rposition(|code| *code == b'.')?;
+    let behind = header.get(point + 1..)?;
+    let letters = behind.iter().take_while(|code| code.is_ascii_uppercase()).count();
+    behind.get(..letters).and_then(|letters| std::str::from_utf8(letters).ok())
 }
 
 /// E100L-FMT-07, E100L-TAPE-02: space, CR, DEL and BS.

@@ -1,11 +1,12 @@
 //! Statements: a keyword or a macro code at the beginning of a block, and what must follow it (E100L-CTL-01 to -07).
 
+use super::communication::communication;
 use super::cursor::{Cursor, is_blank_after};
 use super::expression::{close_bracket, expression, is_reserved};
 use super::grammar::{called_name, sequence_name};
 use super::items::{self, local_name};
 use super::tree::{Address, Body, Callee, Condition, Function, Item, ItemKind, Statement, Value};
-use crate::controls::e100l::addresses::{DELIMITED, STATEMENTS, STATEMENTS_LATER};
+use crate::controls::e100l::addresses::{DELIMITED, OF_SCHEDULES, STATEMENTS};
 use crate::controls::e100l::macros::{self, Macro};
 use crate::fault::{Fault, Outcome, fail};
 use crate::vocabulary::rule_ids::*;
@@ -39,13 +40,17 @@ fn keyword(cursor: &mut Cursor) -> Outcome<Option<&'static str>> {
 }
 
 fn of_keyword(keyword: &str, cursor: &mut Cursor, setup: &Setup) -> Outcome<Body> {
-    if STATEMENTS_LATER.contains(&keyword) {
-        return Err(Fault::about(AlarmName::NotModelled, GCODE_03, keyword));
+    if OF_SCHEDULES.contains(&keyword) {
+        return Err(Fault::about(AlarmName::ScheduleStatement, SDF_02, keyword));
     }
     if keyword == "IF" {
-        return branch(cursor, setup).map(Body::Statement);
+        let (condition, name) = branch(cursor, setup)?;
+        return Ok(Body::Statement(Statement::If(condition, name)));
     }
     delimited(keyword, cursor)?;
+    if let Some(communication) = communication(keyword, cursor, setup)? {
+        return Ok(Body::Communication(communication));
+    }
     Ok(Body::Statement(match keyword {
         "GOTO" => Statement::Goto(destination(cursor, GOTO_01)?),
         "CALL" => Statement::Call(callee(cursor, CALL_01)?, settings(cursor, setup, CALL_01)?),
@@ -63,11 +68,11 @@ fn of_keyword(keyword: &str, cursor: &mut Cursor, setup: &Setup) -> Outcome<Body
 }
 
 /// E100L-CTL-03: what follows a keyword is a blank or the end of the block.
-fn delimited(keyword: &str, cursor: &Cursor) -> Outcome<()> {
+pub(super) fn delimited(keyword: &str, cursor: &Cursor) -> Outcome<()> {
     if is_blank_after(cursor.peek()) { Ok(()) } else { Err(undelimited(keyword)) }
 }
 
-fn undelimited(keyword: &str) -> Fault {
+pub(super) fn undelimited(keyword: &str) -> Fault {
     Fault::about(AlarmName::StatementDelimiterMissing, CTL_03, keyword)
 }
 
@@ -80,7 +85,7 @@ fn delimited_name(name: Label, cursor: &Cursor) -> Outcome<Label> {
 }
 
 /// A sequence name, and nothing behind it.
-fn destination(cursor: &mut Cursor, rule: RuleId) -> Outcome<Label> {
+pub(super) fn destination(cursor: &mut Cursor, rule: RuleId) -> Outcome<Label> {
     cursor.skip_blanks()?;
     // E100L-NOEX-01: NOEX is a keyword here too.
     if cursor.peek() != Some(b'N') || cursor.run() == "NOEX" {
@@ -91,13 +96,14 @@ fn destination(cursor: &mut Cursor, rule: RuleId) -> Outcome<Label> {
     Ok(name)
 }
 
-fn nothing_more(cursor: &mut Cursor, rule: RuleId) -> Outcome<()> {
+/// Nothing but blanks to the end of the block.
+pub(super) fn nothing_more(cursor: &mut Cursor, rule: RuleId) -> Outcome<()> {
     cursor.skip_blanks()?;
     if cursor.peek().is_some() { fail(AlarmName::Format, rule) } else { Ok(()) }
 }
 
 /// E100L-IFST-01, E100L-IFST-02: a condition, and a sequence name with or without `GOTO`.
-fn branch(cursor: &mut Cursor, setup: &Setup) -> Outcome<Statement> {
+pub(super) fn branch(cursor: &mut Cursor, setup: &Setup) -> Outcome<(Condition, Label)> {
     cursor.skip_blanks()?;
     let condition = if cursor.take(b'[') {
         // E100L-CTL-04: a bracket needs no blank in front.
@@ -114,7 +120,7 @@ fn branch(cursor: &mut Cursor, setup: &Setup) -> Outcome<Statement> {
         cursor.advance(goto.len());
         delimited(goto, cursor)?;
     }
-    Ok(Statement::If(condition, destination(cursor, IFST_01)?))
+    Ok((condition, destination(cursor, IFST_01)?))
 }
 
 /// E100L-IFST-02, E100L-LVAR-02: the local name that IF asks for.
@@ -143,7 +149,7 @@ fn settings(cursor: &mut Cursor, setup: &Setup, rule: RuleId) -> Outcome<Vec<Ite
     let mut settings = Vec::new();
     while let Some(item) = items::any(cursor, setup)? {
         let address = match &item.kind {
-            ItemKind::Assignment(..) => {
+            ItemKind::Assignment(..) | ItemKind::Comment(..) => {
                 settings.push(item);
                 continue;
             }

@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 
+use super::communication::Communication;
 use crate::controls::e100l::system_variables::SystemVariable;
 use crate::vocabulary::Label;
 
@@ -29,6 +30,8 @@ pub enum Body {
     Noex(Vec<Item>),
     /// A statement (E100L-CTL-01).
     Statement(Statement),
+    /// A statement of data communication (E100L-RDWR-01, E100L-GPUT-01).
+    Communication(Communication),
 }
 
 /// A statement that tells which block comes next; the items behind it are all assignments.
@@ -97,8 +100,37 @@ pub enum ItemKind {
     Word(Address, Value),
     /// A variable setting (E100L-AEXP-01).
     Assignment(Variable, Expression),
+    /// Characters for the comment of user alarms, from a position on (E100L-VUACM-01).
+    Comment(Expression, Characters),
     /// The mnemonic CALRG (E100L-CIRC-18).
     MajorArc,
+}
+
+impl ItemKind {
+    /// Whether it sets a variable.
+    pub fn is_assignment(&self) -> bool {
+        matches!(self, Self::Assignment(..) | Self::Comment(..))
+    }
+}
+
+/// The characters that a string stands for.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Characters {
+    /// Their codes.
+    pub codes: Vec<u8>,
+    /// How they were written.
+    pub form: StringForm,
+}
+
+/// How a string is written.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum StringForm {
+    /// As it is.
+    Plain,
+    /// Behind `^`, which makes its letters lower case (E100L-GPUT-13, E100L-VUACM-05).
+    LowerCase,
+    /// As codes (E100L-VUACM-04).
+    Codes,
 }
 
 /// The address of a word.

@@ -16,6 +16,8 @@ pub struct Activation {
     pub start: Spot,
     /// Whether its first block was read.
     pub began: bool,
+    /// Whether a schedule program runs it (E100L-SDF-14).
+    pub selected: bool,
     /// Where it was called; the main program was not.
     pub caller: Option<Caller>,
     /// The modal calls that its last motion has triggered.
@@ -56,8 +58,14 @@ impl Calls {
     /// The main program runs, from its first block on.
     pub fn new(start: Spot) -> Self {
         let name = Label::default();
-        let main = Activation { name, start, began: false, caller: None, triggered: None };
+        let main = Activation { name, start, began: false, selected: false, caller: None, triggered: None };
         Self { main, called: Vec::new(), modes: ModalCalls::default() }
+    }
+
+    /// E100L-SDF-14: a main program runs that a schedule program has selected.
+    pub fn selected(start: Spot) -> Self {
+        let Self { main, called, modes } = Self::new(start);
+        Self { main: Activation { selected: true, ..main }, called, modes }
     }
 
     /// The program that runs.
@@ -89,7 +97,8 @@ impl Calls {
     /// A program begins, at its name block.
     pub fn begin(&mut self, program: Program, caller: Caller) {
         let Program { name, start } = program;
-        self.called.push(Activation { name, start, began: false, caller: Some(caller), triggered: None });
+        let caller = Some(caller);
+        self.called.push(Activation { name, start, began: false, selected: false, caller, triggered: None });
     }
 
     /// E100L-RTS-02, E100L-RTS-04, E100L-MODIN-09: the program that runs ends; the block at which its caller goes on.

@@ -3,26 +3,19 @@
 use super::function;
 use super::number::{Number, finite};
 use super::read;
-use crate::fault::{Fault, Outcome, fail};
+use crate::fault::{Outcome, fail};
 use crate::quantity;
 use crate::state::State;
-use crate::syntax::{BinaryOperator, Decimal, Expression, Variable};
+use crate::syntax::{BinaryOperator, Decimal, Expression};
 use crate::vocabulary::rule_ids::*;
 use crate::vocabulary::{AlarmName, RuleId};
 
-/// The value of an expression; operands from left to right.
-pub fn evaluate(expression: &Expression, state: &State) -> Outcome<Number> {
+/// The value of an expression; operands from left to right. Inputs that it reads go on to their next value.
+pub fn evaluate(expression: &Expression, state: &mut State) -> Outcome<Number> {
     match expression {
         Expression::Integer(integer) => Ok(Number::Integer(*integer)),
         Expression::Real(decimal) => Ok(Number::Real(quantity::nearest_real(&decimal.exact()))),
-        Expression::Variable(variable) => match variable.as_ref() {
-            Variable::Common(number) => Ok(Number::Real(state.memory.common(*number))),
-            Variable::Local(name) => match state.memory.locals.get(*name) {
-                Some(value) => Ok(Number::Real(value)),
-                None => Err(Fault::about(AlarmName::LocalUndefined, LVAR_05, name.as_str())),
-            },
-            Variable::System(system, suffix) => read::system_variable(system, suffix.as_ref(), state),
-        },
+        Expression::Variable(variable) => Ok(read::amount(variable, state)?.number(state.setup.unit_system)),
         Expression::Sign { minus, operand } => {
             let value = evaluate(operand, state)?;
             if *minus { negative(value) } else { Ok(value) }
@@ -55,8 +48,8 @@ impl Decimal {
     }
 }
 
-/// Functions and boolean operators are User Task 2.
-fn needs_level_2(state: &State, rule: RuleId) -> Outcome<()> {
+/// Functions, boolean operators and the variables VDIN and VDOUT are User Task 2.
+pub(super) fn needs_level_2(state: &State, rule: RuleId) -> Outcome<()> {
     if state.setup.options.user_task < 2 { fail(AlarmName::UserTaskLevel, rule) } else { Ok(()) }
 }
 

@@ -88,6 +88,11 @@ impl Locals {
         Ok(())
     }
 
+    /// E100L-SDF-14: the entries go on to the next program.
+    pub fn keep(&mut self) {
+        self.0.iter_mut().for_each(|entry| entry.owner = Owner::Program(0));
+    }
+
     /// E100L-LVAR-12, E100L-MODIN-09: the entries of what ends are removed.
     pub fn remove(&mut self, owner: Owner) {
         self.0.retain(|entry| entry.owner != owner);

@@ -1,6 +1,10 @@
 //! What variables hold besides the frame: common and local variables, and plain stores.
 
+use super::communication::Areas;
+use super::inputs::Readings;
+use super::interference::Interference;
 use super::locals::Locals;
+use super::outputs::Comment;
 use crate::controls::e100l::system_variables::{Axis, BarrierDatum};
 use crate::vocabulary::{Barriers, Length, Setup};
 
@@ -20,6 +24,14 @@ pub struct Memory {
     pub pitch_errors: Vec<(i64, i64)>,
     /// Pitch of X and Z, in nanometres.
     pub pitch: (i64, i64),
+    /// Tool interference data.
+    pub interference: Interference,
+    /// How far the inputs were read.
+    pub inputs: Readings,
+    /// The comment of user alarms.
+    pub comment: Comment,
+    /// The areas of data communication.
+    pub areas: Areas,
 }
 
 impl Memory {
@@ -46,7 +58,17 @@ impl Memory {
             droop: [setup.droop.x, setup.droop.z, setup.droop.c],
             pitch_errors: vec![(0, 0); 121],
             pitch: (0, 0),
+            interference: Interference::new(setup),
+            inputs: Readings::default(),
+            comment: Comment::default(),
+            areas: Areas::default(),
         }
+    }
+
+    /// E100L-GPUT-04, E100L-GPUT-11, E100L-VUACM-01: what the reset takes back to the beginning.
+    pub fn reset(&mut self) {
+        self.areas.reset();
+        self.comment = Comment::default();
     }
 
     /// E100L-CVAR-02: one set for all programs.

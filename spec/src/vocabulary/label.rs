@@ -4,10 +4,10 @@ use std::fmt;
 
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de};
 
-/// At most 23 ASCII characters, without a heap. Longer text is cut; other characters become `?`.
+/// At most 24 ASCII characters, without a heap. Longer text is cut; other characters become `?`.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Default)]
 pub struct Label {
-    bytes: [u8; 23],
+    bytes: [u8; 24],
     length: u8,
 }
 
@@ -21,7 +21,7 @@ impl Label {
     /// The label of ASCII bytes.
     #[must_use]
     pub const fn from_bytes(text: &[u8]) -> Self {
-        let mut bytes = [0; 23];
+        let mut bytes = [0; 24];
         let mut length = 0;
         while length < bytes.len() && length < text.len() {
             bytes[length] = if text[length].is_ascii_graphic() { text[length] } else { b'?' };
@@ -34,7 +34,7 @@ impl Label {
     #[inline]
     #[must_use]
     pub const fn of_code(letter: u8, code: u16) -> Self {
-        let mut bytes = [0; 23];
+        let mut bytes = [0; 24];
         bytes[0] = letter;
         let digits = if code >= 1000 { 999 } else { code };
         let mut length = 1;
@@ -97,7 +97,7 @@ impl<'de> Deserialize<'de> for Label {
         if label.as_str() == text {
             Ok(label)
         } else {
-            Err(de::Error::custom("a name has at most 23 ASCII characters"))
+            Err(de::Error::custom("a name has at most 24 ASCII characters"))
         }
     }
 }

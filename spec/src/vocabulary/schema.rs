@@ -44,7 +44,7 @@ impl JsonSchema for Label {
     }
 
     fn json_schema(_: &mut SchemaGenerator) -> Schema {
-        json_schema!({ "type": "string", "maxLength": 23 })
+        json_schema!({ "type": "string", "maxLength": 24 })
     }
 }
 

@@ -10,6 +10,7 @@ use turnspec_oracle::vocabulary::Sense;
 
 use crate::engine::arithmetic::plane::{Direction, Point, bounded, difference, dot, square, tangent};
 use crate::engine::arithmetic::surd::sign;
+use crate::engine::planted::{self, Bug};
 
 use super::rectangle::Rectangle;
 
@@ -52,7 +53,8 @@ impl Sweep {
             return true;
         }
         let [start, end] = [self.from, self.to].map(|point| bounded(difference(point, self.centre)));
-        let sense = if self.sense == Sense::CounterClockwise { 1 } else { -1 };
+        let counter = (self.sense == Sense::CounterClockwise) != planted::is(Bug::SweepSense);
+        let sense = if counter { 1 } else { -1 };
         let turn = Turn { start, end, sense };
         if !turn.has_length() {
             return false;
@@ -82,6 +84,7 @@ impl Turn {
         let across = tangent(self.start, self.sense);
         let place = Place::new(point.along(across), point.along(self.start));
         match (place.beyond, self.place_of_end().beyond) {
+            _ if planted::is(Bug::WholeCircle) => true,
             (false, true) => true,
             (true, false) => false,
             // Both in one half of the turn: the point is passed first if the end lies ahead of it.

@@ -18,6 +18,7 @@ use super::arithmetic::plane::Point;
 use super::cite::{self, Cites};
 use super::fault::Fault;
 use super::motion::Kind;
+use super::planted::{self, Bug};
 use super::state::{Amounts, X, Z};
 use arc::Sweep;
 use rectangle::Rectangle;
@@ -34,7 +35,10 @@ impl Path {
     /// What of a motion of a kind from one point to another is tested (E100L-BARR-08, E100L-BARR-09).
     fn of(kind: Kind, from: Point, to: Point, positioning: BarrierPath) -> Self {
         match kind {
-            Kind::Rapid if positioning == BarrierPath::Ends => Self::Line(to, to),
+            Kind::Rapid if positioning == BarrierPath::Ends || planted::is(Bug::EndsAlone) => {
+                Self::Line(to, to)
+            }
+            Kind::Arc { .. } if planted::is(Bug::ChordOfArc) => Self::Line(from, to),
             Kind::Rapid | Kind::Linear | Kind::LinearAt(_) => Self::Line(from, to),
             Kind::Arc { sense, centre_x, centre_z } => {
                 Self::Arc(Sweep { from, to, centre: Point { x: centre_x, z: centre_z }, sense })
@@ -44,9 +48,13 @@ impl Path {
 
     /// Whether it has a point in one of some open rectangles.
     fn enters(&self, area: &[Option<Rectangle>]) -> bool {
-        area.iter().flatten().any(|rectangle| match self {
-            Self::Line(from, to) => line::enters(*from, *to, rectangle),
-            Self::Arc(sweep) => sweep.enters(rectangle),
+        let edge = i64::from(planted::is(Bug::ClosedArea));
+        area.iter().flatten().any(|Rectangle { z, x }| {
+            let [z, x] = [z, x].map(|(low, high)| (low - edge, high + edge));
+            match self {
+                Self::Line(from, to) => line::enters(*from, *to, &Rectangle { z, x }),
+                Self::Arc(sweep) => sweep.enters(&Rectangle { z, x }),
+            }
         })
     }
 }
@@ -62,14 +70,21 @@ impl Interpreter<'_> {
         cites: &mut Cites,
         readings: &mut ReadingSet,
     ) -> Result<(), Fault> {
-        let [x, z] = [X, Z].map(|axis| to_program(end[axis], self.state.frame(axis)));
+        let [x, z] = match planted::is(Bug::MachineEnd) {
+            true => [end[X], end[Z]],
+            false => [X, Z].map(|axis| to_program(end[axis], self.state.frame(axis))),
+        };
         let path = Path::of(kind, self.present(), Point { x, z }, self.setup.readings.barrier_path);
         let (machine, variables) = (&self.setup.barriers, &self.state.barriers);
-        if self.state.watch.chuck() && path.enters(&area::chuck(machine, variables)) {
+        let chuck = self.state.watch.chuck() && path.enters(&area::chuck(machine, variables));
+        if chuck && !planted::is(Bug::TailstockFirst) {
             return Err(refusal("chuck"));
         }
         if self.state.watch.tailstock() && path.enters(&area::tailstock(machine, variables)) {
             return Err(refusal("tailstock"));
+        }
+        if chuck {
+            return Err(refusal("chuck"));
         }
         *cites = cites.and(cite::BARR_01);
         if kind == Kind::Rapid {

@@ -1,5 +1,7 @@
 //! Which barriers are on, and which ones watch the motions of the block in progress (E100L-BARR-04).
 
+use crate::engine::planted::{self, Bug};
+
 /// The barriers, each a bit. At power-on none is on (E100L-BARR-05).
 #[derive(Clone, Copy, Default, Debug)]
 pub struct Watch {
@@ -28,7 +30,9 @@ impl Watch {
             25 => self.on |= CHUCK,
             _ => {}
         }
-        self.block |= self.on;
+        let before = if planted::is(Bug::OffBlockFree) { 0 } else { self.block };
+        let after = if planted::is(Bug::OnBlockFree) { 0 } else { self.on };
+        self.block = before | after;
     }
 
     /// Whether any barrier watches the block.

@@ -1,7 +1,8 @@
 //! What a block does in compensation besides its motion: beginning, ending, counting blocks without X/Z
 //! motion (E100L-NRC-14, E100L-NRC-20, E100L-NRC-43, E100L-NRC-44, E100L-NRC-66, E100L-NRC-71).
 
-use turnspec_oracle::vocabulary::{ReadingSet, Sink};
+use turnspec_oracle::vocabulary::rule_ids::CTL_01;
+use turnspec_oracle::vocabulary::{AlarmName, Label, ReadingSet, Sink};
 
 use crate::engine::Interpreter;
 use crate::engine::arithmetic::idle::IdleBlocks;
@@ -14,6 +15,9 @@ use crate::engine::words::{Address, Words};
 
 use super::waiting::{Next, Role, Waiting};
 use super::{Change, Compensation, Phase};
+
+/// How many statements may come behind a motion that waits (E100L-CTL-01).
+const MOST_STATEMENTS: u8 = 100;
 
 impl Compensation {
     /// A block begins.
@@ -81,6 +85,18 @@ impl Interpreter<'_> {
             Phase::On if !self.compensation.moved => return self.count_idle_block(sink),
             _ => {}
         }
+        Ok(())
+    }
+
+    /// A statement comes: a waiting motion lets a limited number of them pass (E100L-CTL-01).
+    pub(in crate::engine) fn let_statement_pass(&mut self) -> Result<(), Fault> {
+        if self.compensation.waiting.is_none() {
+            return Ok(());
+        }
+        if self.compensation.statements >= MOST_STATEMENTS {
+            return Err(Fault::about(AlarmName::Unspecified, CTL_01, const { Label::new("statements") }));
+        }
+        self.compensation.statements += 1;
         Ok(())
     }
 

@@ -57,6 +57,8 @@ pub struct Compensation {
     last: Contour,
     /// Blocks without X/Z motion since the motion waits.
     idle_blocks: IdleBlocks,
+    /// Statements since the motion waits.
+    statements: u8,
     /// Whether the block in progress has an X/Z motion, or is the start-up block.
     moved: bool,
     /// The return to the corner that the next element will ask for, when no motion waits.
@@ -75,6 +77,7 @@ impl Default for Compensation {
             waiting: None,
             last: Contour::default(),
             idle_blocks: IdleBlocks::None,
+            statements: 0,
             moved: false,
             extra: None,
             holding: false,

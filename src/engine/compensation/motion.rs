@@ -244,6 +244,7 @@ impl Interpreter<'_> {
         let compensation = &mut self.compensation;
         let counted = planted::is(Bug::RepetitionCounted) && waiting.role == Role::Return;
         compensation.idle_blocks = if counted { IdleBlocks::One } else { IdleBlocks::None };
+        compensation.statements = 0;
         compensation.waiting = Some(waiting);
         compensation.moved = true;
         compensation.holding = true;

@@ -6,6 +6,7 @@ use turnspec_oracle::vocabulary::{Action, AlarmName, CallCause, Label, Place, Ru
 
 use crate::engine::Interpreter;
 use crate::engine::fault::Fault;
+use crate::engine::planted::{self, Bug};
 use crate::engine::text::Mark;
 
 use super::Activation;
@@ -44,7 +45,10 @@ impl Interpreter<'_> {
 
     /// One more called program (E100L-CALL-04).
     pub(super) fn check_depth(&self) -> Result<(), Fault> {
-        if self.task.depth() >= self.setup.parameters.call_depth {
+        let modal = self.task.frames.iter().filter(|frame| frame.modal.is_some());
+        let uncounted = if planted::is(Bug::ModalCallsUncounted) { modal.count() } else { 0 };
+        let most = usize::from(self.setup.parameters.call_depth) + usize::from(planted::is(Bug::OneCallMore));
+        if self.task.frames.len() >= most + uncounted {
             return Fault::raise(AlarmName::CallDepth, CALL_04);
         }
         Ok(())
@@ -83,18 +87,29 @@ impl Interpreter<'_> {
             return Err(Fault::about(AlarmName::Unspecified, MODIN_09, Label::new("RTS")));
         }
         self.emit(sink, const { RuleSet::of(&[RTS_02, LVAR_12]) }, Action::Return);
-        self.task.locals.remove(Owner::Level(self.task.depth()));
+        if !planted::is(Bug::EntriesKept) {
+            self.task.locals.remove(Owner::Level(self.task.depth()));
+        }
+        if let Some(modal) = frame.modal.filter(|_| planted::is(Bug::ModeEntriesEnd)) {
+            self.task.locals.remove(Owner::Mode(modal.mode));
+        }
         self.task.frames.pop();
-        self.task.present = frame.caller;
+        let name = if planted::is(Bug::NameNotRestored) { self.task.present.name } else { frame.caller.name };
+        self.task.present = Activation { name, ..frame.caller };
         let text = match self.task.programs.as_ref() {
             Some(programs) => programs.text(frame.caller.text),
             None => self.task.main,
         };
         self.reader.turn_to(text, frame.back);
+        if planted::is(Bug::ReturnBehindNext) {
+            self.reader.next_lines();
+        }
         match frame.modal {
             Some(modal) => {
                 self.finish_statement(sink);
-                self.place = frame.place;
+                if !planted::is(Bug::PlaceOfReturn) {
+                    self.place = frame.place;
+                }
                 self.call_next_mode(modal, sink)
             }
             None => Ok(()),

@@ -163,7 +163,8 @@ impl Parser<'_> {
 
     /// A sequence name and the end of the block.
     fn target(&mut self, rule: RuleId) -> Result<Label, Fault> {
-        if self.peek() != Some(b'N') {
+        // NOEX is a keyword before it is a name.
+        if self.peek() != Some(b'N') || self.run(self.at) == b"NOEX" {
             return Fault::raise(AlarmName::Format, rule);
         }
         let name = self.sequence_name(false)?;

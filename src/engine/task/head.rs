@@ -6,6 +6,7 @@ use turnspec_oracle::vocabulary::Label;
 
 use crate::engine::names;
 use crate::engine::parse::is_name;
+use crate::engine::planted::{self, Bug};
 use crate::engine::text::{Class, Lenient, class};
 
 /// The beginning of a block.
@@ -37,6 +38,9 @@ impl Head {
             }
             Some(b'/') => {
                 rest.next();
+                if block_delete && planted::is(Bug::SkippedNoTarget) {
+                    return Self::Other;
+                }
                 if block_delete {
                     while rest.next_if(|byte| matches!(class(*byte), Class::Ignored | Class::Tab)).is_some() {
                     }

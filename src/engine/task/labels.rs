@@ -1,5 +1,6 @@
 //! The sequence names of a program, with the first block of each (E100L-GOTO-02, E100L-SEQ-03).
 
+use crate::engine::planted::{self, Bug};
 use crate::engine::text::{Mark, Reader};
 
 use super::head::Head;
@@ -27,12 +28,16 @@ impl Labels {
                 continue;
             }
             match Head::of(reader.lenient(lines), block_delete) {
+                Head::Program(_) if planted::is(Bug::NamesBeyondEnd) => {}
                 Head::Program(_) if own_name != Some(lines.start) => break,
                 Head::Sequence(name) => entries.push(Entry { name, line: lines.line, start: lines.start }),
                 Head::Program(_) | Head::Other => {}
             }
         }
         entries.sort_unstable();
+        if planted::is(Bug::LastOfEqualNames) {
+            entries.sort_unstable_by_key(|entry| (entry.name, std::cmp::Reverse(entry.line)));
+        }
         entries.dedup_by_key(|entry| entry.name);
         entries.shrink_to_fit();
         Self { entries }

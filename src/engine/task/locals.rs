@@ -5,6 +5,7 @@ use turnspec_oracle::vocabulary::{Action, AlarmName, Label, RuleSet, Sink, Value
 
 use crate::engine::Interpreter;
 use crate::engine::fault::Fault;
+use crate::engine::planted::{self, Bug};
 
 use super::Task;
 
@@ -74,7 +75,8 @@ pub struct Locals {
 impl Locals {
     /// The entry that a name means: the last one that bears it (E100L-LVAR-09).
     fn last(&self, name: LocalName) -> Option<&Entry> {
-        self.entries.iter().rev().find(|entry| entry.name == name)
+        let mut found = self.entries.iter().filter(|entry| entry.name == name);
+        if planted::is(Bug::OldestEntry) { found.next() } else { found.next_back() }
     }
 
     /// Changes the entry that a name means; false without one.
@@ -84,7 +86,7 @@ impl Locals {
     }
 
     fn register(&mut self, entry: Entry) -> Result<(), Fault> {
-        if self.entries.len() >= MOST {
+        if self.entries.len() >= MOST + usize::from(planted::is(Bug::OneLocalMore)) {
             return Err(Fault::about(AlarmName::LocalCapacity, LVAR_03, entry.name.label()));
         }
         self.entries.push(entry);
@@ -114,7 +116,8 @@ impl Task<'_> {
 
     /// Whether a name has an entry (E100L-IFST-02).
     pub fn has_local(&self, name: LocalName) -> bool {
-        self.locals.last(name).is_some()
+        let own = |entry: &Entry| entry.owner == Owner::Level(self.depth());
+        self.locals.last(name).is_some_and(|entry| !planted::is(Bug::DefinedHere) || own(entry))
     }
 
     /// Changes or registers a variable; the rules of that.
@@ -142,6 +145,9 @@ impl Task<'_> {
                 (Owner::Level(depth), rules)
             }
             (Registration::Call, _) => {
+                if planted::is(Bug::CallAssigns) && self.locals.change(name, value) {
+                    return Ok(const { RuleSet::of(&[LVAR_13, TYPE_04, LVAR_08]) });
+                }
                 (Owner::Level(depth.saturating_add(1)), const { RuleSet::of(&[LVAR_13, TYPE_04, LVAR_08]) })
             }
             (Registration::Mode, _) => {

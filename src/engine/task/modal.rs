@@ -5,6 +5,7 @@ use turnspec_oracle::vocabulary::{Action, AlarmName, CallCause, Label, RuleSet, 
 
 use crate::engine::Interpreter;
 use crate::engine::fault::Fault;
+use crate::engine::planted::{self, Bug};
 
 use super::Task;
 use super::locals::Owner;
@@ -41,7 +42,7 @@ impl Task<'_> {
     /// How many modes a motion calls (E100L-MODIN-07, E100L-MODIN-08).
     pub fn modes_to_call(&self) -> u8 {
         match self.present.inside {
-            Some(mode) => mode.saturating_sub(1),
+            Some(mode) => mode.saturating_sub(u8::from(!planted::is(Bug::ModeCallsItself))),
             None => self.next_mode() - 1,
         }
     }
@@ -68,7 +69,7 @@ impl Interpreter<'_> {
         if self.task.present.inside.is_some() {
             return Err(Fault::about(AlarmName::Unspecified, MODIN_07, word));
         }
-        if self.task.modes.len() >= MOST {
+        if self.task.modes.len() >= MOST + usize::from(planted::is(Bug::NineModes)) {
             return Fault::raise(AlarmName::ModinDepth, MODIN_05);
         }
         let program = self.find_program(name)?;
@@ -84,6 +85,9 @@ impl Interpreter<'_> {
         }
         if !self.task.has_own_mode() {
             return Err(Fault::about(AlarmName::Unspecified, MODIN_04, Label::new("MODOUT")));
+        }
+        if planted::is(Bug::FirstModeEnds) {
+            self.task.modes.rotate_left(1);
         }
         self.task.modes.pop();
         let number = self.task.next_mode();
@@ -102,7 +106,9 @@ impl Interpreter<'_> {
         if after.mode >= after.last {
             return Ok(());
         }
-        let Some(mode) = self.task.modes.get(usize::from(after.mode)).copied() else { return Ok(()) };
+        let backwards = planted::is(Bug::ModesBackwards);
+        let place = if backwards { after.last - after.mode - 1 } else { after.mode };
+        let Some(mode) = self.task.modes.get(usize::from(place)).copied() else { return Ok(()) };
         self.check_depth()?;
         let mut rules = const { RuleSet::of(&[MODIN_02]) };
         if self.task.modes.len() > 1 {

@@ -4,6 +4,7 @@ use turnspec_oracle::vocabulary::rule_ids::*;
 use turnspec_oracle::vocabulary::{AlarmName, Label, Setup};
 
 use crate::engine::fault::Fault;
+use crate::engine::planted::{self, Bug};
 use crate::engine::text::{Mark, Reader};
 
 use super::head::Head;
@@ -37,7 +38,7 @@ impl<'a> Programs<'a> {
         let library = setup.library.values().map(|text| text.0.as_slice());
         let texts: Vec<&[u8]> = std::iter::once(main).chain(library).collect();
         let mut programs = Vec::new();
-        for (number, text) in texts.iter().enumerate() {
+        for (number, text) in texts.iter().enumerate().skip(usize::from(planted::is(Bug::LibraryAlone))) {
             collect(number, Reader::new(text, setup.tape.code), setup.switches.block_delete, &mut programs);
         }
         programs.sort_by_key(|program| program.name);
@@ -50,6 +51,7 @@ impl<'a> Programs<'a> {
         let has_name = |place: usize| self.programs.get(place).is_some_and(|program| program.name == name);
         match (has_name(first), has_name(first + 1)) {
             (true, false) => Ok(first),
+            (true, true) if planted::is(Bug::FirstOfEqualPrograms) => Ok(first),
             (true, true) => Err(Fault::about(AlarmName::ProgramDuplicate, NAME_05, name)),
             (false, _) => Err(Fault::about(AlarmName::ProgramUnknown, CALL_03, name)),
         }

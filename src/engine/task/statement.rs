@@ -5,6 +5,7 @@ use turnspec_oracle::vocabulary::{AlarmName, Label, RuleId, Sink};
 
 use crate::engine::Interpreter;
 use crate::engine::fault::Fault;
+use crate::engine::planted::{self, Bug};
 use crate::engine::words::{Operand, Parsed};
 
 use super::{Condition, Control, Registration};
@@ -23,11 +24,16 @@ impl Interpreter<'_> {
         control: Control,
         sink: &mut impl Sink,
     ) -> Result<(), Fault> {
+        self.let_statement_pass()?;
         match control {
             Control::Goto(name) => self.jump(name, GOTO_02)?,
             Control::If(condition, name) => {
                 if self.holds(parsed, condition)? {
                     self.jump(name, IFST_03)?;
+                } else if planted::is(Bug::FalseNeedsName) {
+                    let here = self.reader.mark();
+                    self.jump(name, IFST_03)?;
+                    self.reader.seek(here);
                 }
             }
             _ if self.options.level_one => {
@@ -49,6 +55,9 @@ impl Interpreter<'_> {
         if parsed.has_assignment {
             self.state.base = None;
         }
+        if planted::is(Bug::StatementCounts) {
+            self.finish_block(sink)?;
+        }
         self.finish_statement(sink);
         Ok(())
     }
@@ -57,8 +66,10 @@ impl Interpreter<'_> {
     fn holds(&mut self, parsed: &Parsed, condition: Condition) -> Result<bool, Fault> {
         match condition {
             Condition::Value(code) => Ok(match self.compute(parsed, code)? {
-                Operand::Integer(value) => value != 0,
-                Operand::Real(value) => value != 0.0,
+                Operand::Integer(value) => value != 0 && !(planted::is(Bug::PositiveConditions) && value < 0),
+                Operand::Real(value) => {
+                    value != 0.0 && !(planted::is(Bug::PositiveConditions) && value < 0.0)
+                }
             }),
             Condition::Defined(name) => Ok(self.task.has_local(name)),
         }
@@ -99,5 +110,6 @@ impl Interpreter<'_> {
 
 /// What a G code macro begins (E100L-MACRO-01).
 fn kind(code: u16) -> Macro {
-    if code <= 170 { Macro::Mode } else { Macro::Call }
+    let last = if planted::is(Bug::MacroRange) { 171 } else { 170 };
+    if code <= last { Macro::Mode } else { Macro::Call }
 }

@@ -21,8 +21,8 @@ pub const STATEMENTS: &[&str] = &[
 /// Binary operators that are words (E100L-MATH-02 to -04, E100L-AEXP-03).
 pub const OPERATOR_WORDS: &[&str] = &["EOR", "OR", "AND", "LT", "LE", "EQ", "NE", "GT", "GE"];
 
-/// Statements that are not modelled yet.
-pub const STATEMENTS_LATER: &[&str] = &["READ", "WRITE", "GET", "PUT", "PSELECT", "VSET", "END"];
+/// Statements of schedule programs alone (E100L-SDF-02).
+pub const OF_SCHEDULES: &[&str] = &["PSELECT", "VSET", "END"];
 
 /// Statements that a longer run of letters and digits may begin with: a blank is missing (E100L-CTL-03).
 pub const DELIMITED: &[&str] =
