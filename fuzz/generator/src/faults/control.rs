@@ -86,6 +86,9 @@ impl Builder<'_, '_, '_> {
             _ => {
                 let name = self.new_program_name();
                 self.named_program(name.clone(), &[&format!("CALL O{name}"), "RTS"]);
+                if self.choices.chance(30) {
+                    return self.blocks(&[&format!("MODIN O{name}"), "G91 G00 X0 Z0"]);
+                }
                 self.call_of(&name)
             }
         }
@@ -173,11 +176,11 @@ impl Builder<'_, '_, '_> {
 
     /// More local variables than may be registered, the last one by one of the statements.
     fn too_many_locals(&mut self) -> bool {
-        let names = (0..=CAPACITY).map(|number| {
-            let letter = char::from(b'C' + u8::try_from(number / 10).unwrap_or_default());
-            format!("{letter}D{}=1", number % 10)
-        });
-        let names: Vec<String> = names.collect();
+        // No name begins with N or O.
+        let names = "CDEFGHIJKLMPQ"
+            .chars()
+            .flat_map(|letter| (0..10).map(move |digit| format!("{letter}D{digit}=1")));
+        let names: Vec<String> = names.take(CAPACITY + 1).collect();
         let lines: Vec<String> = names.chunks(12).map(|names| names.join(" ")).collect();
         let mut lines: Vec<&str> = lines.iter().map(String::as_str).collect();
         if self.choices.chance(50) {
