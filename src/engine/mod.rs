@@ -9,12 +9,14 @@ mod ahead;
 mod angle;
 mod arc;
 pub mod arithmetic;
+mod assignment;
 mod barriers;
 mod block;
 mod carry;
 mod chamfer;
 mod cite;
 pub mod codes;
+mod communication;
 mod compensation;
 mod evaluate;
 mod exact;
@@ -36,12 +38,13 @@ mod state;
 mod system;
 mod task;
 mod text;
+mod tool_data;
 mod torque;
 mod variables;
 mod words;
 
 use turnspec_oracle::vocabulary::{
-    Action, Alarm, Ending, Event, Place, Reading, ReadingSet, Readings, RuleSet, Setup, Sink,
+    Action, Alarm, AlarmName, Ending, Event, Place, Reading, ReadingSet, Readings, RuleSet, Setup, Sink,
 };
 
 pub use exact::SlowPaths;
@@ -49,6 +52,7 @@ pub use task::{Holder, Level, Local, Mode, Situation};
 
 use arithmetic::units::Units;
 use cite::CiteCache;
+use communication::Communication;
 use compensation::Compensation;
 use fault::Fault;
 use functions::Scales;
@@ -86,6 +90,7 @@ pub struct Interpreter<'a> {
     state: State,
     task: Task<'a>,
     compensation: Compensation,
+    communication: Communication<'a>,
     ordinal: u64,
     ending: Option<Ending>,
     cites: CiteCache,
@@ -104,6 +109,8 @@ struct Known {
     tool_offset: ReadingSet,
     barrier_path: ReadingSet,
     clamp: ReadingSet,
+    put_real: ReadingSet,
+    user_alarm_c: ReadingSet,
 }
 
 impl Known {
@@ -120,6 +127,8 @@ impl Known {
             tool_offset: one(readings.tool_offset),
             barrier_path: one(readings.barrier_path),
             clamp: one(readings.speed_clamp),
+            put_real: one(readings.put_real),
+            user_alarm_c: one(readings.user_alarm_c),
         }
     }
 }
@@ -146,6 +155,7 @@ impl<'a> Interpreter<'a> {
             state: State::new(setup),
             task: Task::new(program, setup.limits.steps),
             compensation: Compensation::default(),
+            communication: Communication::default(),
             ordinal: 0,
             ending: None,
             cites: CiteCache::default(),
@@ -171,7 +181,11 @@ impl<'a> Interpreter<'a> {
                 }
                 self.compensation.drop_held();
                 let alarm = Alarm::about(fault.name, fault.detail);
-                self.emit(sink, RuleSet::of(&[fault.rule]), Action::Alarm(alarm));
+                let reading = match fault.name {
+                    AlarmName::UserAlarmC => self.known.user_alarm_c,
+                    _ => ReadingSet::default(),
+                };
+                self.emit_with(sink, RuleSet::of(&[fault.rule]), reading, Action::Alarm(alarm));
                 self.ending = Some(Ending::Alarm);
             }
         }

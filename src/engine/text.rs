@@ -10,10 +10,13 @@ use super::planted::{self, Bug};
 /// Longest block, in characters without LF and CR.
 const LONGEST: usize = 158;
 
+/// What stands in a block for the mark of a continuation line, which acts as a blank.
+pub const CONTINUATION: u8 = b'\n';
+
 /// What a character is to the grammar.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Class {
-    /// Space, CR, DEL, BS: nothing inside a number.
+    /// Space, CR, DEL, BS, the mark of a continuation line: nothing inside a number.
     Ignored,
     /// TAB, which ends a number.
     Tab,
@@ -36,7 +39,7 @@ const CLASSES: [Class; 256] = {
     let mut byte = 0;
     while byte < 256 {
         table[byte] = match byte as u8 {
-            b' ' | b'\r' | 0x7f | 0x08 => Class::Ignored,
+            b' ' | b'\r' | 0x7f | 0x08 | CONTINUATION => Class::Ignored,
             b'\t' => Class::Tab,
             b'(' => Class::Open,
             b')' => Class::Close,
@@ -327,8 +330,7 @@ impl<'a> Reader<'a> {
                 after_end = true;
                 continue;
             }
-            // The mark of a continuation line acts as a blank.
-            buffer.push(if after_end { b' ' } else { character });
+            buffer.push(if after_end { CONTINUATION } else { character });
             after_end = false;
         }
         if let Some(byte) = self.bytes.get(lines.end) {
@@ -370,7 +372,7 @@ impl Iterator for Lenient<'_> {
             if self.reader.is_end_of_block(byte) {
                 self.after_end = true;
             } else if std::mem::take(&mut self.after_end) {
-                return Some(b' ');
+                return Some(CONTINUATION);
             } else {
                 return Some(self.reader.character(byte).unwrap_or(0));
             }

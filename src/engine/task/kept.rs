@@ -39,7 +39,8 @@ impl Kept {
     /// Keeps a block.
     pub fn keep(&mut self, text: usize, block: KeptBlock) {
         let parts = block.parsed.items.len() * size_of::<Item>()
-            + block.parsed.operations.len() * size_of::<Operation>();
+            + block.parsed.operations.len() * size_of::<Operation>()
+            + block.parsed.characters.len();
         let size = parts + size_of::<KeptBlock>() + size_of::<Parsed>();
         if self.taken + size > ROOM {
             self.blocks.clear();

@@ -18,7 +18,7 @@ mod situation;
 mod statement;
 
 pub use grammar::{Condition, Control};
-pub use locals::{LocalName, Registration};
+pub use locals::LocalName;
 pub use reading::Turn;
 pub use situation::{Holder, Level, Local, Mode, Situation};
 
