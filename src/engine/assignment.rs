@@ -19,6 +19,8 @@ pub enum Origin {
     Call,
     /// MODIN or one of its macro codes: it is always registered, for the mode that is about to begin.
     Mode,
+    /// VSET, which assigns no local variable.
+    Schedule,
     /// GET with a length; as an item.
     Field,
     /// GET of all that is left; as an item.
@@ -31,6 +33,7 @@ impl Origin {
     pub fn rules(self, rules: RuleSet) -> RuleSet {
         match self {
             Self::Item | Self::Call | Self::Mode => rules,
+            Self::Schedule => rules.with(SDF_17),
             Self::Field => rules.with(GPUT_01),
             Self::Rest => rules.with(GPUT_01).with(GPUT_03),
         }

@@ -247,6 +247,13 @@ impl Parser<'_> {
         }
     }
 
+    /// A constant where no other expression can stand.
+    pub fn lone_constant(&mut self) -> Result<Code, Fault> {
+        let start = self.length();
+        self.constant()?;
+        Ok(Code { start, end: self.length() })
+    }
+
     /// A decimal constant: integer without a point, real with one.
     fn constant(&mut self) -> Result<(), Fault> {
         let mut digits = Digits::default();

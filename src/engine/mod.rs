@@ -33,6 +33,7 @@ mod parse;
 mod planted;
 #[cfg(feature = "planted-bugs")]
 pub mod planted;
+mod schedule;
 mod spindle;
 mod state;
 mod system;
@@ -59,6 +60,7 @@ use functions::Scales;
 use names::Names;
 use parse::Options;
 use planted::Bug;
+use schedule::Schedule;
 use state::State;
 use task::{Task, Turn};
 use text::Reader;
@@ -91,6 +93,7 @@ pub struct Interpreter<'a> {
     task: Task<'a>,
     compensation: Compensation,
     communication: Communication<'a>,
+    schedule: Schedule,
     ordinal: u64,
     ending: Option<Ending>,
     cites: CiteCache,
@@ -137,7 +140,7 @@ impl<'a> Interpreter<'a> {
     /// Prepares a run of a program on a valid set-up.
     #[must_use]
     pub fn new(program: &'a [u8], setup: &'a Setup) -> Self {
-        Self {
+        let mut interpreter = Self {
             setup,
             units: Units::new(setup.unit_system),
             scales: Scales::new(setup),
@@ -156,13 +159,18 @@ impl<'a> Interpreter<'a> {
             task: Task::new(program, setup.limits.steps),
             compensation: Compensation::default(),
             communication: Communication::default(),
+            schedule: Schedule::default(),
             ordinal: 0,
             ending: None,
             cites: CiteCache::default(),
             slow: SlowPaths::default(),
             buffer: Vec::new(),
             stack: Vec::new(),
+        };
+        if setup.schedule && !interpreter.reader.has_header() {
+            interpreter.begin_schedule();
         }
+        interpreter
     }
 
     /// Carries out the next block; its events go to the sink. `Some` when the run has ended.
@@ -218,7 +226,7 @@ impl<'a> Interpreter<'a> {
                 return Err(self.end_missing());
             }
             if let Some(control) = slot.parsed.control {
-                return self.carry_out_statement(&slot.parsed, control, sink).map(|()| None);
+                return self.carry_out_statement(&slot.parsed, control, sink);
             }
             self.inch_block = slot.parsed.has_length && self.units.inch;
             self.evaluate(slot, sink)?;
@@ -262,7 +270,7 @@ pub fn run(program: &[u8], setup: &Setup, sink: &mut impl Sink) -> Ending {
 #[must_use]
 pub fn count_blocks(program: &[u8], setup: &Setup) -> u64 {
     let mut interpreter = Interpreter::new(program, setup);
-    interpreter.task = Task::new(program, u64::MAX);
+    interpreter.task.count_no_steps();
     let mut slot = Slot::default();
     let mut blocks = 0;
     while let Ok(true) = interpreter.read(&mut slot, Turn::Now) {

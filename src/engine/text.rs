@@ -130,6 +130,17 @@ pub struct Mark {
     pub closed: bool,
 }
 
+/// What lines are.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Kind {
+    /// They may be a block.
+    Block,
+    /// A program start, or a file header.
+    Other,
+    /// The header of a schedule program.
+    ScheduleHeader,
+}
+
 /// Cuts the text into lines and joins continuation lines.
 #[derive(Clone, Debug)]
 pub struct Reader<'a> {
@@ -254,12 +265,18 @@ impl<'a> Reader<'a> {
         found
     }
 
-    /// Whether these lines are no block whatever they hold: a program start or the file header.
-    pub fn passes_over(&self, lines: Lines) -> Result<bool, Fault> {
+    /// What the lines read last are, with the test of the file header.
+    #[inline]
+    pub fn kind(&self, lines: Lines) -> Result<Kind, Fault> {
         if self.is_header(lines) {
-            return self.check_header(lines).map(|()| true);
+            return self.check_header(lines);
         }
-        Ok(self.is_tape_mark(lines))
+        Ok(if self.is_tape_mark(lines) { Kind::Other } else { Kind::Block })
+    }
+
+    /// Whether the text begins with a file header.
+    pub fn has_header(&self) -> bool {
+        self.begins_with_dollar(0)
     }
 
     /// Whether the lines read last are no block, without any test of them.
@@ -280,8 +297,8 @@ impl<'a> Reader<'a> {
         Lenient { reader: self, at: lines.start, end: lines.end, after_end: false }
     }
 
-    /// The file header: it ends in `%`; a schedule program is not modelled, a subprogram no beginning.
-    fn check_header(&self, lines: Lines) -> Result<(), Fault> {
+    /// The file header: it ends in `%`; a subprogram is no beginning.
+    fn check_header(&self, lines: Lines) -> Result<Kind, Fault> {
         let raw = self.bytes.get(lines.start..lines.end).unwrap_or_default();
         let text: Option<Vec<u8>> = raw.iter().map(|byte| self.character(*byte)).collect();
         let end_is_bad = self.bytes.get(lines.end).is_some_and(|end| self.character(*end).is_none());
@@ -295,14 +312,15 @@ impl<'a> Reader<'a> {
         if let (Some(extension), Some(_)) = (parts.next(), parts.next()) {
             let letters = extension.iter().take_while(|byte| byte.is_ascii_uppercase()).count();
             let extension = extension.get(..letters).unwrap_or_default();
-            let name = match extension {
-                b"SDF" => AlarmName::NotModelled,
-                b"SUB" | b"SSB" | b"MSB" => AlarmName::ProgramKind,
-                _ => return Ok(()),
+            return match extension {
+                b"SDF" => Ok(Kind::ScheduleHeader),
+                b"SUB" | b"SSB" | b"MSB" => {
+                    Err(Fault::about(AlarmName::ProgramKind, PROG_01, Label::from_bytes(extension)))
+                }
+                _ => Ok(Kind::Other),
             };
-            return Err(Fault::about(name, PROG_01, Label::from_bytes(extension)));
         }
-        Ok(())
+        Ok(Kind::Other)
     }
 
     /// The characters of a block, either in the text itself or in the buffer.

@@ -186,9 +186,12 @@ impl Parser<'_> {
         }
     }
 
-    /// Refuses a variable that cannot stand in an expression (E100L-IOV-02, E100L-VUACM-01).
+    /// Refuses a variable that cannot stand in an expression (E100L-IOV-02, E100L-SDF-19, E100L-VUACM-01).
     pub(in crate::engine) fn check_readable(&self, variable: SystemVariable) -> Result<(), Fault> {
         match variable {
+            SystemVariable::Output if self.options.setting => {
+                Fault::raise(AlarmName::ScheduleRightSide, SDF_19)
+            }
             SystemVariable::Output => {
                 Err(Fault::about(AlarmName::Unspecified, IOV_02, const { Label::new("VDOUT") }))
             }

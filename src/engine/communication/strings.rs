@@ -75,7 +75,7 @@ impl Parser<'_> {
     }
 
     /// Adds characters to those of the block.
-    pub(super) fn keep(&mut self, codes: &[u8]) -> Code {
+    pub(in crate::engine) fn keep(&mut self, codes: &[u8]) -> Code {
         let start = self.characters();
         self.block.characters.extend_from_slice(codes);
         Code { start, end: self.characters() }

@@ -11,6 +11,7 @@ use crate::engine::fault::Fault;
 use crate::engine::items::is_extended;
 use crate::engine::number::Number;
 use crate::engine::parse::{KEYWORDS, Parser};
+use crate::engine::schedule::Selecting;
 use crate::engine::text::{Class, class};
 use crate::engine::words::{Address, Code, Item, Source};
 
@@ -33,6 +34,12 @@ pub enum Control {
     EndMode,
     /// READ, WRITE, GET or PUT.
     Transfer(Transfer),
+    /// PSELECT.
+    Select(Selecting),
+    /// VSET.
+    Set,
+    /// END.
+    End,
     /// A G code macro (E100L-MACRO-01).
     GMacro(u16),
     /// An M code macro (E100L-MACRO-02).
@@ -62,6 +69,9 @@ impl Control {
             Self::BeginMode(_) => Label::new("MODIN"),
             Self::EndMode => Label::new("MODOUT"),
             Self::Transfer(transfer) => transfer.word(),
+            Self::Select(_) => Label::new("PSELECT"),
+            Self::Set => Label::new("VSET"),
+            Self::End => Label::new("END"),
             Self::GMacro(code) => Label::of_code(b'G', code),
             Self::MMacro(code) => Label::of_code(b'M', code),
         }
@@ -161,7 +171,7 @@ impl Parser<'_> {
     }
 
     /// A keyword with the blank behind it, and all blanks there.
-    fn pass_keyword(&mut self, keyword: Label) -> Result<(), Fault> {
+    pub(in crate::engine) fn pass_keyword(&mut self, keyword: Label) -> Result<(), Fault> {
         self.at += keyword.as_str().len();
         self.delimiter(CTL_03, keyword)
     }
@@ -175,7 +185,7 @@ impl Parser<'_> {
     }
 
     /// A sequence name and the end of the block.
-    fn target(&mut self, rule: RuleId) -> Result<Label, Fault> {
+    pub(in crate::engine) fn target(&mut self, rule: RuleId) -> Result<Label, Fault> {
         if self.peek() != Some(b'N') {
             return Fault::raise(AlarmName::Format, rule);
         }
@@ -191,7 +201,7 @@ impl Parser<'_> {
     }
 
     /// What follows IF (E100L-IFST-01, E100L-IFST-02).
-    fn branch(&mut self) -> Result<Control, Fault> {
+    pub(in crate::engine) fn branch(&mut self) -> Result<Control, Fault> {
         self.skip_blanks()?;
         let condition = if self.peek() == Some(b'[') {
             self.at += 1;
@@ -254,7 +264,7 @@ fn delimiter_missing(rule: RuleId, word: Label) -> Fault {
 }
 
 /// The value of a plain number that is a code.
-fn whole(number: Number) -> Option<u16> {
+pub fn whole(number: Number) -> Option<u16> {
     let Number::Decimal { digits, scale, .. } = number else { return None };
     let unit = TEN.get(usize::from(scale)).copied().filter(|unit| digits % unit == 0)?;
     u16::try_from(digits / unit).ok()

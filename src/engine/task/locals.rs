@@ -86,6 +86,11 @@ impl Locals {
         self.entries.retain(|entry| entry.owner != owner);
     }
 
+    /// Lets no end but the reset remove what is there.
+    pub fn disown(&mut self) {
+        self.entries.iter_mut().for_each(|entry| entry.owner = Owner::Level(0));
+    }
+
     /// The entries, oldest first.
     pub fn entries(&self) -> &[Entry] {
         &self.entries
@@ -111,7 +116,7 @@ impl Task<'_> {
     fn store_local(&mut self, name: LocalName, value: f64, origin: Origin) -> Result<RuleSet, Fault> {
         let depth = self.depth();
         let (owner, rules) = match (origin, depth > 0) {
-            (Origin::Item | Origin::Field | Origin::Rest, called) => {
+            (Origin::Item | Origin::Schedule | Origin::Field | Origin::Rest, called) => {
                 if self.locals.change(name, value) {
                     return Ok(if called {
                         const { RuleSet::of(&[LVAR_13, TYPE_04, LVAR_06, LVAR_11]) }

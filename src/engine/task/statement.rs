@@ -1,7 +1,7 @@
 //! Carrying out statements (execution, chapter 9).
 
 use turnspec_oracle::vocabulary::rule_ids::*;
-use turnspec_oracle::vocabulary::{AlarmName, Label, RuleId, Sink};
+use turnspec_oracle::vocabulary::{AlarmName, Ending, Label, RuleId, Sink};
 
 use crate::engine::Interpreter;
 use crate::engine::assignment::Origin;
@@ -23,7 +23,7 @@ impl Interpreter<'_> {
         parsed: &Parsed,
         control: Control,
         sink: &mut impl Sink,
-    ) -> Result<(), Fault> {
+    ) -> Result<Option<Ending>, Fault> {
         match control {
             Control::Goto(name) => self.jump(name, GOTO_02)?,
             Control::If(condition, name) => {
@@ -31,10 +31,13 @@ impl Interpreter<'_> {
                     self.jump(name, IFST_03)?;
                 }
             }
+            Control::Select(selecting) => self.select(parsed, selecting, sink)?,
+            Control::Set => self.assignments(parsed, Origin::Schedule, sink)?,
+            Control::End => return Ok(Some(self.end_schedule(sink))),
             _ if self.options.level_one => {
                 return Err(Fault::about(AlarmName::UserTaskLevel, UT_03, control.word()));
             }
-            Control::Transfer(transfer) => return self.transfer(parsed, transfer, sink),
+            Control::Transfer(transfer) => return self.transfer(parsed, transfer, sink).map(|()| None),
             Control::Call(name) => {
                 self.assignments(parsed, Origin::Call, sink)?;
                 self.call_by_statement(name, CALL_02, sink)?;
@@ -52,7 +55,7 @@ impl Interpreter<'_> {
             self.state.base = None;
         }
         self.finish_statement(sink);
-        Ok(())
+        Ok(None)
     }
 
     /// Whether the condition of an IF is true (E100L-IFST-02, E100L-IFST-04).
