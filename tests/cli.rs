@@ -423,6 +423,17 @@ fn an_alarm_in_a_library_file_shows_its_line_and_how_the_run_came_there() {
 }
 
 #[test]
+fn a_schedule_selects_main_programs_of_the_library() {
+    let folder =
+        Folder::new("schedule", &[("day.sdf", "PSELECT A.MIN,,,Q2\nEND\n"), ("a.min", "G00 X10\nM02\n")]);
+    let (main, library) = (folder.path("day.sdf"), folder.path(""));
+    let outcome = turnspec(&["run", "--with", "both", "--format", "jsonl", "--library", &library, &main]);
+    assert_eq!((outcome.status, outcome.stderr.as_str()), (0, ""));
+    let kinds = kinds(&events(&outcome.stdout));
+    assert_eq!(kinds, ["select", "rapid", "end", "select", "rapid", "end", "end"]);
+}
+
+#[test]
 fn a_runaway_program_ends_at_the_limit() {
     let program = Scratch::new("endless.min", b"N1 V1=V1+1\nGOTO N1\n");
     let setup = Scratch::new("endless.toml", b"[limits]\nsteps = 5\n");

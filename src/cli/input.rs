@@ -36,6 +36,12 @@ impl Program {
         Ok(Self { name, text, path: path.map(Path::to_owned) })
     }
 
+    /// Whether its file name says that it is a schedule program.
+    pub fn is_schedule(&self) -> bool {
+        let extension = self.path.as_deref().and_then(Path::extension);
+        extension.is_some_and(|extension| extension.eq_ignore_ascii_case("SDF"))
+    }
+
     /// Whether it was read from this file.
     pub fn is_at(&self, path: &Path) -> bool {
         let full = |path: &Path| path.canonicalize().ok();

@@ -57,10 +57,11 @@ impl Interpreter<'_> {
         let found = self.read(slot, Turn::Ahead);
         self.fault_place = Some(if planted::is(Bug::AlarmOneBlockEarly) { need.place } else { slot.place });
         let found = found?;
-        if let Some(control) = slot.parsed.control.filter(|_| found) {
+        let control = slot.parsed.control.filter(|_| found);
+        if let Some(control) = control.filter(|control| !control.is_transfer()) {
             return Err(Fault::about(AlarmName::Unspecified, rule, control.word()));
         }
-        if !found || slot.parsed.has_assignment {
+        if !found || slot.parsed.has_assignment || control.is_some() {
             self.fault_place = Some(need.place);
             return Err(unfit);
         }

@@ -218,6 +218,9 @@ impl Interpreter<'_> {
                 if self.compensation.acts() {
                     self.complete_compensation(sink)?;
                 }
+                if self.schedule.is_running() {
+                    return self.end_selected(code, sink).map(|()| None);
+                }
                 let late = planted::is(Bug::ResetAfterEnd);
                 if !late {
                     self.reset(sink);

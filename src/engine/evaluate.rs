@@ -1,19 +1,18 @@
-//! Evaluating a block from left to right (execution, chapter 4): values, repetitions, ranges,
-//! assignments.
+//! Evaluating a block from left to right (execution, chapter 4): values, repetitions, ranges.
 
 use turnspec_oracle::vocabulary::rule_ids::*;
-use turnspec_oracle::vocabulary::{Action, AlarmName, InchConversion, Label, RuleId, RuleSet, Sink, Value};
+use turnspec_oracle::vocabulary::{AlarmName, InchConversion, Label, RuleId, Sink};
 
 use super::Interpreter;
 use super::arithmetic::round::Rounding;
 use super::arithmetic::tool::ToolWord;
+use super::assignment::Origin;
 use super::codes::{self, GGroup, Status};
 use super::fault::Fault;
 use super::functions;
 use super::number::Number;
 use super::planted::{self, Bug};
 use super::slot::Slot;
-use super::task::Registration;
 use super::words::{Address, Code, Function, Item, Operand, Operation, Parsed, Source, Words};
 
 impl Interpreter<'_> {
@@ -35,49 +34,7 @@ impl Interpreter<'_> {
                 Item::Mnemonic => {
                     words.meet(Address::Calrg);
                 }
-                assignment => self.assignment(parsed, assignment, Registration::Item, sink)?,
-            }
-        }
-        Ok(())
-    }
-
-    /// Carries out one assignment; nothing else has an effect here.
-    #[inline]
-    pub(super) fn assignment(
-        &mut self,
-        parsed: &Parsed,
-        item: Item,
-        registration: Registration,
-        sink: &mut impl Sink,
-    ) -> Result<(), Fault> {
-        match item {
-            Item::Word(..) | Item::Mnemonic => {}
-            Item::Common { number, value } => {
-                let zero = if planted::is(Bug::NegativeZero) { -0.0 } else { 0.0 };
-                let value = self.compute(parsed, value)?.real() + zero;
-                if let Some(slot) = self.state.common.get_mut(usize::from(number)) {
-                    *slot = value;
-                }
-                const RULES: RuleSet = RuleSet::of(&[CVAR_04, TYPE_04]);
-                let mut name = Label::new("V");
-                push_number(&mut name, number.into());
-                let action = Action::Variable { name, value: Value::Real(value) };
-                self.emit(sink, RULES, action);
-            }
-            Item::System { variable, suffix, value } => {
-                let suffix = match suffix {
-                    Some(code) => {
-                        let number = self.compute(parsed, code)?.number();
-                        Some(self.suffix(variable, number)?)
-                    }
-                    None => None,
-                };
-                let value = self.compute(parsed, value)?;
-                self.assign(variable, suffix, value, sink)?;
-            }
-            Item::Local { name, value } => {
-                let value = self.compute(parsed, value)?.real() + 0.0;
-                self.assign_local(name, value, registration, sink)?;
+                assignment => self.assignment(parsed, assignment, Origin::Item, sink)?,
             }
         }
         Ok(())
@@ -235,6 +192,7 @@ impl Interpreter<'_> {
                 }
                 Operation::Call(function) => functions::call(function, pop(), &self.scales, &mut self.slow)?,
                 Operation::NeedsBoolean => return Fault::raise(AlarmName::UserTaskLevel, BOOL_01),
+                Operation::NeedsInput => return Fault::raise(AlarmName::UserTaskLevel, IOV_01),
                 Operation::NeedsFunction => return Fault::raise(AlarmName::UserTaskLevel, FUNC_20),
                 binary => {
                     let (b, a) = (pop(), pop());

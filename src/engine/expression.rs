@@ -9,6 +9,7 @@ use super::fault::Fault;
 use super::items::{Variable, is_extended};
 use super::parse::{KEYWORDS, Parser, check_digits};
 use super::planted::{self, Bug};
+use super::system::SystemVariable;
 use super::task::LocalName;
 use super::text::{Class, class};
 use super::words::{Code, Comparison, Function, Operand, Operation};
@@ -246,6 +247,13 @@ impl Parser<'_> {
         }
     }
 
+    /// A constant where no other expression can stand.
+    pub fn lone_constant(&mut self) -> Result<Code, Fault> {
+        let start = self.length();
+        self.constant()?;
+        Ok(Code { start, end: self.length() })
+    }
+
     /// A decimal constant: integer without a point, real with one.
     fn constant(&mut self) -> Result<(), Fault> {
         let mut digits = Digits::default();
@@ -312,6 +320,10 @@ impl Parser<'_> {
                     Ok(())
                 }
                 Variable::System(variable) => {
+                    self.check_readable(variable)?;
+                    if variable == SystemVariable::Input && self.options.level_one {
+                        self.operation(Operation::NeedsInput);
+                    }
                     self.suffix(variable)?;
                     self.operation(Operation::System(variable));
                     Ok(())
@@ -360,7 +372,8 @@ impl Parser<'_> {
     }
 }
 
-fn hexadecimal_digit(byte: u8) -> Option<u32> {
+/// The value of a hexadecimal digit.
+pub fn hexadecimal_digit(byte: u8) -> Option<u32> {
     match byte {
         b'0'..=b'9' => Some(u32::from(byte - b'0')),
         b'A'..=b'F' => Some(u32::from(byte - b'A') + 10),

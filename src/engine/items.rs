@@ -235,13 +235,18 @@ impl Parser<'_> {
             return Fault::raise(AlarmName::EqualSignMissing, FMT_02);
         }
         if let Variable::System(variable) = variable
-            && variable.is_read_only()
+            && let Some(rule) = variable.read_only()
         {
-            return Fault::raise(AlarmName::VariableReadOnly, SVTAB_01);
+            return Fault::raise(AlarmName::VariableReadOnly, rule);
         }
         self.at += 1;
-        let value = self.expression()?;
         self.block.has_assignment = true;
+        if let (Variable::System(SystemVariable::Comment), Some(suffix)) = (&variable, suffix) {
+            let text = self.comment()?;
+            self.block.items.push(Item::Comment { suffix, text });
+            return Ok(());
+        }
+        let value = self.expression()?;
         self.block.items.push(match variable {
             Variable::Common(number) => Item::Common { number, value },
             Variable::System(variable) => Item::System { variable, suffix, value },
@@ -286,7 +291,7 @@ impl Parser<'_> {
         self.skip_blanks()?;
         let bracket = self.peek() == Some(b'[');
         if bracket != variable.has_suffix() {
-            return Fault::raise(AlarmName::VariableSuffix, SVTAB_01);
+            return Fault::raise(AlarmName::VariableSuffix, variable.suffix_rule());
         }
         if !bracket {
             self.at = start;

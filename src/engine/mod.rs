@@ -9,12 +9,14 @@ mod ahead;
 mod angle;
 mod arc;
 pub mod arithmetic;
+mod assignment;
 mod barriers;
 mod block;
 mod carry;
 mod chamfer;
 mod cite;
 pub mod codes;
+mod communication;
 mod compensation;
 mod evaluate;
 mod exact;
@@ -31,18 +33,20 @@ mod parse;
 mod planted;
 #[cfg(feature = "planted-bugs")]
 pub mod planted;
+mod schedule;
 mod slot;
 mod spindle;
 mod state;
 mod system;
 mod task;
 mod text;
+mod tool_data;
 mod torque;
 mod variables;
 mod words;
 
 use turnspec_oracle::vocabulary::{
-    Action, Alarm, Ending, Event, Place, Reading, ReadingSet, Readings, RuleSet, Setup, Sink,
+    Action, Alarm, AlarmName, Ending, Event, Place, Reading, ReadingSet, Readings, RuleSet, Setup, Sink,
 };
 
 pub use exact::SlowPaths;
@@ -50,12 +54,14 @@ pub use task::{Holder, Level, Local, Mode, Situation};
 
 use arithmetic::units::Units;
 use cite::CiteCache;
+use communication::Communication;
 use compensation::Compensation;
 use fault::Fault;
 use functions::Scales;
 use names::Names;
 use parse::Options;
 use planted::Bug;
+use schedule::Schedule;
 use slot::Slot;
 use state::State;
 use task::{Task, Turn};
@@ -88,6 +94,8 @@ pub struct Interpreter<'a> {
     state: State,
     task: Task<'a>,
     compensation: Compensation,
+    communication: Communication<'a>,
+    schedule: Schedule,
     ordinal: u64,
     ending: Option<Ending>,
     cites: CiteCache,
@@ -106,6 +114,8 @@ struct Known {
     tool_offset: ReadingSet,
     barrier_path: ReadingSet,
     clamp: ReadingSet,
+    put_real: ReadingSet,
+    user_alarm_c: ReadingSet,
 }
 
 impl Known {
@@ -122,6 +132,8 @@ impl Known {
             tool_offset: one(readings.tool_offset),
             barrier_path: one(readings.barrier_path),
             clamp: one(readings.speed_clamp),
+            put_real: one(readings.put_real),
+            user_alarm_c: one(readings.user_alarm_c),
         }
     }
 }
@@ -130,7 +142,7 @@ impl<'a> Interpreter<'a> {
     /// Prepares a run of a program on a valid set-up.
     #[must_use]
     pub fn new(program: &'a [u8], setup: &'a Setup) -> Self {
-        Self {
+        let mut interpreter = Self {
             setup,
             units: Units::new(setup.unit_system),
             scales: Scales::new(setup),
@@ -148,13 +160,19 @@ impl<'a> Interpreter<'a> {
             state: State::new(setup),
             task: Task::new(program, setup.limits.steps),
             compensation: Compensation::default(),
+            communication: Communication::default(),
+            schedule: Schedule::default(),
             ordinal: 0,
             ending: None,
             cites: CiteCache::default(),
             slow: SlowPaths::default(),
             buffer: Vec::new(),
             stack: Vec::new(),
+        };
+        if setup.schedule && !interpreter.reader.has_header() {
+            interpreter.begin_schedule();
         }
+        interpreter
     }
 
     /// Carries out the next block; its events go to the sink. `Some` when the run has ended.
@@ -173,7 +191,11 @@ impl<'a> Interpreter<'a> {
                 }
                 self.compensation.drop_held();
                 let alarm = Alarm::about(fault.name, fault.detail);
-                self.emit(sink, RuleSet::of(&[fault.rule]), Action::Alarm(alarm));
+                let reading = match fault.name {
+                    AlarmName::UserAlarmC => self.known.user_alarm_c,
+                    _ => ReadingSet::default(),
+                };
+                self.emit_with(sink, RuleSet::of(&[fault.rule]), reading, Action::Alarm(alarm));
                 self.ending = Some(Ending::Alarm);
             }
         }
@@ -206,7 +228,7 @@ impl<'a> Interpreter<'a> {
                 return Err(self.end_missing());
             }
             if let Some(control) = slot.parsed.control {
-                return self.carry_out_statement(&slot.parsed, control, sink).map(|()| None);
+                return self.carry_out_statement(&slot.parsed, control, sink);
             }
             self.inch_block = slot.parsed.has_length && self.units.inch;
             self.evaluate(slot, sink)?;
@@ -250,7 +272,7 @@ pub fn run(program: &[u8], setup: &Setup, sink: &mut impl Sink) -> Ending {
 #[must_use]
 pub fn count_blocks(program: &[u8], setup: &Setup) -> u64 {
     let mut interpreter = Interpreter::new(program, setup);
-    interpreter.task = Task::new(program, u64::MAX);
+    interpreter.task.count_no_steps();
     let mut slot = Slot::default();
     let mut blocks = 0;
     while let Ok(true) = interpreter.read(&mut slot, Turn::Now) {

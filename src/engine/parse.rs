@@ -17,6 +17,8 @@ pub struct Options {
     pub w_axis: bool,
     /// Whether boolean operators, functions and calls are refused when evaluated.
     pub level_one: bool,
+    /// Whether the block is a VSET block.
+    pub setting: bool,
 }
 
 impl Options {
@@ -26,6 +28,7 @@ impl Options {
             block_delete: setup.switches.block_delete,
             w_axis: setup.options.w_axis,
             level_one: setup.options.user_task < 2,
+            setting: false,
         }
     }
 }
@@ -137,15 +140,24 @@ impl Parser<'_> {
 
     /// Items up to the end of the block; words among them only without a rule that refuses them.
     pub(super) fn items(&mut self, refusal: Option<RuleId>) -> Result<(), Fault> {
+        self.each_item(|parser, letter| {
+            parser.item(letter)?;
+            match refusal {
+                Some(rule) => parser.refuse_word(rule),
+                None => parser.refuse_later_word(),
+            }
+        })
+    }
+
+    /// What stands up to the end of the block: what begins with a letter is read as said.
+    #[inline]
+    pub(super) fn each_item(
+        &mut self,
+        mut read: impl FnMut(&mut Self, u8) -> Result<(), Fault>,
+    ) -> Result<(), Fault> {
         while let Some(byte) = self.peek() {
             match class(byte) {
-                Class::Letter => {
-                    self.item(byte)?;
-                    match refusal {
-                        Some(rule) => self.refuse_word(rule)?,
-                        None => self.refuse_later_word()?,
-                    }
-                }
+                Class::Letter => read(self, byte)?,
                 Class::Ignored | Class::Tab | Class::Open => self.skip_blanks()?,
                 _ if byte == b'/' => return Fault::raise(AlarmName::SlashMisplaced, DEL_02),
                 _ => return Err(self.misplaced()),

@@ -7,6 +7,7 @@ use turnspec_oracle::vocabulary::{
 use super::arithmetic::{frame, turn};
 use super::barriers::Watch;
 use super::planted::{self, Bug};
+use super::tool_data::{self, ToolTable};
 
 /// Amounts of the four axes in nanometres and micro-degrees, X as a diameter; by [`super::system::Axis`].
 pub type Amounts = [i64; 4];
@@ -58,6 +59,7 @@ pub struct State {
     pub watch: Watch,
     pub pitch_errors: [[i64; 2]; 121],
     pub pitches: [i64; 2],
+    pub tool_data: ToolTable,
     pub common: Box<[f64; 201]>,
 
     /// G00 to G03.
@@ -159,6 +161,7 @@ impl State {
             watch: Watch::default(),
             pitch_errors: [[0; 2]; 121],
             pitches: [0; 2],
+            tool_data: tool_data::table(setup),
             common,
             motion: 0,
             incremental: false,

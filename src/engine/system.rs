@@ -1,6 +1,11 @@
-//! The table of system variables (E100L-SVTAB-01).
+//! The table of system variables (E100L-SVTAB-01), and the variables of inputs and outputs.
+
+use turnspec_oracle::vocabulary::RuleId;
+use turnspec_oracle::vocabulary::rule_ids::*;
 
 use super::arithmetic::scale::TEN;
+use super::communication::{input_exists, output_exists};
+use super::tool_data::ToolData;
 
 /// An axis.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -34,6 +39,17 @@ pub enum SystemVariable {
     Restart,
     Pi,
     FullTurn,
+    ToolData(ToolData),
+    /// VDIN.
+    Input,
+    /// VDOUT.
+    Output,
+    /// VIRD.
+    InputBit,
+    /// VORD.
+    OutputBit,
+    /// VUACM.
+    Comment,
 }
 
 /// What the table says about a name.
@@ -47,15 +63,14 @@ pub enum Lookup {
 }
 
 /// Names in the table that have no data in a set-up, and the spellings that the table misprints.
-const OTHERS: &str = " VZOFY VZSHY VTSOY VTOFY VINPY VTRTS VTLGN VTLSN VTLCN VTLST VTLCT VTLSA VTLCA VTLOA \
-    VTLOB VTLOC VTLUS VTLNG VTLLF VGRSL VGRLF VGRID VXMP0 VXMPO VXMCD VXMON VXMTG VXMOG VXMXZ VXMNC VXMCO \
-    VXMMC VXMMO VXMMD VXMDR VRNGZ VRNGX VSNZ VSNX VIMDZ VIMDX VPFVY VPFVT VTOAA VTOBA VTOCA VTOAB VTOBB \
-    VTOCB VTHRZ VTHRX VLMON VEINT VBNCT VPWSP VPWTP VTLIN VTLFN VTLA1 VTLA2 VTLL VTLD VTLW VTIZN VTIZP \
-    VTIXN VTIXP VTIPN VGRIN VGRFN VGRA1 VGRA2 VGRL VGRD VGRW VSIDC VEXPO VEXTR VEXAX VEXGF VEXTO VEXOG \
-    VEXOK VEXFB VEXDR VSIOY VSKPZ VSKPY VSKPX VSKPC VETFY VDIFZ VDIFX VAPPZ VAPPX VMIRZ VCNGC VXMD5 VXMDS \
-    VTOPC VCEJM VMCN VMDT VXMBD VXMAB VWKCS VWKCC VUACM VSKFA VSKFB VRZV VRCV VRRG VLZV VLYV VLRG VPLOF \
-    VRVY VRYV VRBV VRVW VRWV VRVX VRXV VTLMT VMXA1 VMNA1 VMXA2 VMNA2 VCHIO VCHSW VZARP VZBRP VZCRP VXARP \
-    VXBRP VWAP VSNWD VSNTU VDIN VDOUT VIRD VORD ";
+const OTHERS: &str = " VZOFY VZSHY VTSOY VTOFY VINPY VTRTS VTLGN VTLSN VTLCN VTLST VTLCT VTLSA VTLCA \
+    VTLOA VTLOB VTLOC VTLUS VTLNG VTLLF VGRSL VGRLF VGRID VXMP0 VXMPO VXMCD VXMON VXMTG VXMOG VXMXZ VXMNC \
+    VXMCO VXMMC VXMMO VXMMD VXMDR VRNGZ VRNGX VSNZ VSNX VIMDZ VIMDX VPFVY VPFVT VTOAA VTOBA VTOCA VTOAB \
+    VTOBB VTOCB VTHRZ VTHRX VLMON VEINT VBNCT VPWSP VPWTP VSIDC VEXPO VEXTR VEXAX VEXGF VEXTO VEXOG VEXOK \
+    VEXFB VEXDR VSIOY VSKPZ VSKPY VSKPX VSKPC VETFY VDIFZ VDIFX VAPPZ VAPPX VMIRZ VCNGC VXMD5 VXMDS VTOPC \
+    VCEJM VMCN VMDT VXMBD VXMAB VWKCS VWKCC VSKFA VSKFB VRZV VRCV VRRG VLZV VLYV VLRG VPLOF VRVY VRYV \
+    VRBV VRVW VRWV VRVX VRXV VTLMT VMXA1 VMNA1 VMXA2 VMNA2 VCHIO VCHSW VZARP VZBRP VZCRP VXARP VXBRP VWAP \
+    VSNWD VSNTU ";
 
 /// The chuck and tailstock data, in the order of [`SystemVariable::Barrier`].
 const BARRIERS: [&[u8]; 8] = [b"VCHKL", b"VCHKD", b"VCHKX", b"VCHKZ", b"VTSL", b"VTSDA", b"VTSDB", b"VWKR"];
@@ -70,6 +85,11 @@ pub fn lookup(name: &[u8], w_axis: bool) -> Lookup {
         b"VRSTT" => V::Restart,
         b"VPAI" => V::Pi,
         b"VRUND" => V::FullTurn,
+        b"VDIN" => V::Input,
+        b"VDOUT" => V::Output,
+        b"VIRD" => V::InputBit,
+        b"VORD" => V::OutputBit,
+        b"VUACM" => V::Comment,
         _ => {
             if let Some(place) = (0_u8..).zip(BARRIERS).find(|(_, barrier)| *barrier == name) {
                 V::Barrier(place.0)
@@ -78,6 +98,8 @@ pub fn lookup(name: &[u8], w_axis: bool) -> Lookup {
                     return Lookup::NotModelled;
                 }
                 variable
+            } else if let Some(data) = ToolData::named(name) {
+                V::ToolData(data)
             } else {
                 let listed = !name.contains(&b' ') && OTHERS.split(' ').any(|other| other.as_bytes() == name);
                 return if listed { Lookup::NotModelled } else { Lookup::Unknown };
@@ -135,29 +157,83 @@ impl SystemVariable {
         }
     }
 
-    /// Whether programs may not assign it.
-    pub fn is_read_only(self) -> bool {
-        matches!(
-            self,
+    /// Why programs may not assign it, if they may not.
+    pub fn read_only(self) -> Option<RuleId> {
+        match self {
             Self::Commanded(_)
-                | Self::Actual(_)
-                | Self::ActiveOffset(_)
-                | Self::OffsetNumber
-                | Self::ToolNumber
-                | Self::Restart
-                | Self::Pi
-                | Self::FullTurn
-        )
+            | Self::Actual(_)
+            | Self::ActiveOffset(_)
+            | Self::OffsetNumber
+            | Self::ToolNumber
+            | Self::Restart
+            | Self::Pi
+            | Self::FullTurn => Some(SVTAB_01),
+            Self::Input => Some(IOV_01),
+            Self::InputBit | Self::OutputBit => Some(IORD_01),
+            _ => None,
+        }
+    }
+
+    /// The rule of its suffix.
+    pub fn suffix_rule(self) -> RuleId {
+        match self {
+            Self::Input => IOV_01,
+            Self::Output => IOV_02,
+            Self::InputBit | Self::OutputBit => IORD_01,
+            Self::Comment => VUACM_01,
+            _ => SVTAB_01,
+        }
+    }
+
+    /// The rule that demands User Task 2, if one does.
+    pub fn level_rule(self) -> Option<RuleId> {
+        match self {
+            Self::Input => Some(IOV_01),
+            Self::Output => Some(IOV_02),
+            _ => None,
+        }
     }
 
     /// Whether it takes a suffix.
     pub fn has_suffix(self) -> bool {
-        matches!(self, Self::ToolOffset(_) | Self::NoseRadius(_) | Self::PitchError(_))
+        matches!(
+            self,
+            Self::ToolOffset(_)
+                | Self::NoseRadius(_)
+                | Self::PitchError(_)
+                | Self::ToolData(_)
+                | Self::Input
+                | Self::Output
+                | Self::InputBit
+                | Self::OutputBit
+                | Self::Comment
+        )
+    }
+
+    /// Whether there is an input or output of this number; of other variables the range decides.
+    pub fn has_number(self, number: usize) -> bool {
+        match self {
+            Self::Input => input_exists(number),
+            Self::Output => output_exists(number),
+            _ => true,
+        }
     }
 
     /// Whether it is an angle.
     pub fn is_angle(self) -> bool {
-        self.axis() == Some(Axis::C) && !matches!(self, Self::Droop(_))
+        match self {
+            Self::ToolData(data) => data.is_angle(),
+            Self::Droop(_) => false,
+            _ => self.axis() == Some(Axis::C),
+        }
+    }
+
+    /// Whether it is a plain number, not a length or an angle.
+    pub fn is_plain(self) -> bool {
+        match self {
+            Self::ToolData(data) => data.is_plain(),
+            _ => matches!(self, Self::Droop(_)),
+        }
     }
 
     /// Its range in nanometres (micro-degrees, or plain numbers for the droop).
@@ -172,6 +248,7 @@ impl SystemVariable {
             Self::Barrier(_) => (0, SIZE),
             Self::PitchError(_) => (-999_000, 999_000),
             Self::Pitch(_) => (2_000_000, 65_000_000),
+            Self::ToolData(data) => data.range(),
             _ => (-WIDE, WIDE),
         }
     }
@@ -197,6 +274,12 @@ impl SystemVariable {
             Self::Restart => b"VRSTT",
             Self::Pi => b"VPAI",
             Self::FullTurn => b"VRUND",
+            Self::ToolData(data) => data.name(),
+            Self::Input => b"VDIN",
+            Self::Output => b"VDOUT",
+            Self::InputBit => b"VIRD",
+            Self::OutputBit => b"VORD",
+            Self::Comment => b"VUACM",
         };
         let mut name = [0; 5];
         let mut length = 0;

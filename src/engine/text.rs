@@ -10,10 +10,13 @@ use super::planted::{self, Bug};
 /// Longest block, in characters without LF and CR.
 const LONGEST: usize = 158;
 
+/// What stands in a block for the mark of a continuation line, which acts as a blank.
+pub const CONTINUATION: u8 = b'\n';
+
 /// What a character is to the grammar.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Class {
-    /// Space, CR, DEL, BS: nothing inside a number.
+    /// Space, CR, DEL, BS, the mark of a continuation line: nothing inside a number.
     Ignored,
     /// TAB, which ends a number.
     Tab,
@@ -36,7 +39,7 @@ const CLASSES: [Class; 256] = {
     let mut byte = 0;
     while byte < 256 {
         table[byte] = match byte as u8 {
-            b' ' | b'\r' | 0x7f | 0x08 => Class::Ignored,
+            b' ' | b'\r' | 0x7f | 0x08 | CONTINUATION => Class::Ignored,
             b'\t' => Class::Tab,
             b'(' => Class::Open,
             b')' => Class::Close,
@@ -125,6 +128,17 @@ pub struct Mark {
     pub line: u32,
     /// Whether the line before is one that cannot be continued.
     pub closed: bool,
+}
+
+/// What lines are.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Kind {
+    /// They may be a block.
+    Block,
+    /// A program start, or a file header.
+    Other,
+    /// The header of a schedule program.
+    ScheduleHeader,
 }
 
 /// Cuts the text into lines and joins continuation lines.
@@ -251,12 +265,18 @@ impl<'a> Reader<'a> {
         found
     }
 
-    /// Whether these lines are no block whatever they hold: a program start or the file header.
-    pub fn passes_over(&self, lines: Lines) -> Result<bool, Fault> {
+    /// What the lines read last are, with the test of the file header.
+    #[inline]
+    pub fn kind(&self, lines: Lines) -> Result<Kind, Fault> {
         if self.is_header(lines) {
-            return self.check_header(lines).map(|()| true);
+            return self.check_header(lines);
         }
-        Ok(self.is_tape_mark(lines))
+        Ok(if self.is_tape_mark(lines) { Kind::Other } else { Kind::Block })
+    }
+
+    /// Whether the text begins with a file header.
+    pub fn has_header(&self) -> bool {
+        self.begins_with_dollar(0)
     }
 
     /// Whether the lines read last are no block, without any test of them.
@@ -277,8 +297,8 @@ impl<'a> Reader<'a> {
         Lenient { reader: self, at: lines.start, end: lines.end, after_end: false }
     }
 
-    /// The file header: it ends in `%`; a schedule program is not modelled, a subprogram no beginning.
-    fn check_header(&self, lines: Lines) -> Result<(), Fault> {
+    /// The file header: it ends in `%`; a subprogram is no beginning.
+    fn check_header(&self, lines: Lines) -> Result<Kind, Fault> {
         let raw = self.bytes.get(lines.start..lines.end).unwrap_or_default();
         let text: Option<Vec<u8>> = raw.iter().map(|byte| self.character(*byte)).collect();
         let end_is_bad = self.bytes.get(lines.end).is_some_and(|end| self.character(*end).is_none());
@@ -292,14 +312,15 @@ impl<'a> Reader<'a> {
         if let (Some(extension), Some(_)) = (parts.next(), parts.next()) {
             let letters = extension.iter().take_while(|byte| byte.is_ascii_uppercase()).count();
             let extension = extension.get(..letters).unwrap_or_default();
-            let name = match extension {
-                b"SDF" => AlarmName::NotModelled,
-                b"SUB" | b"SSB" | b"MSB" => AlarmName::ProgramKind,
-                _ => return Ok(()),
+            return match extension {
+                b"SDF" => Ok(Kind::ScheduleHeader),
+                b"SUB" | b"SSB" | b"MSB" => {
+                    Err(Fault::about(AlarmName::ProgramKind, PROG_01, Label::from_bytes(extension)))
+                }
+                _ => Ok(Kind::Other),
             };
-            return Err(Fault::about(name, PROG_01, Label::from_bytes(extension)));
         }
-        Ok(())
+        Ok(Kind::Other)
     }
 
     /// The characters of a block, either in the text itself or in the buffer.
@@ -327,8 +348,7 @@ impl<'a> Reader<'a> {
                 after_end = true;
                 continue;
             }
-            // The mark of a continuation line acts as a blank.
-            buffer.push(if after_end { b' ' } else { character });
+            buffer.push(if after_end { CONTINUATION } else { character });
             after_end = false;
         }
         if let Some(byte) = self.bytes.get(lines.end) {
@@ -370,7 +390,7 @@ impl Iterator for Lenient<'_> {
             if self.reader.is_end_of_block(byte) {
                 self.after_end = true;
             } else if std::mem::take(&mut self.after_end) {
-                return Some(b' ');
+                return Some(CONTINUATION);
             } else {
                 return Some(self.reader.character(byte).unwrap_or(0));
             }

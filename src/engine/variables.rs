@@ -7,6 +7,7 @@ use turnspec_oracle::vocabulary::{
 
 use super::Interpreter;
 use super::arithmetic::round::Rounding;
+use super::assignment::Origin;
 use super::evaluate::push_number;
 use super::fault::Fault;
 use super::number::{Number, quotient};
@@ -20,19 +21,23 @@ impl Interpreter<'_> {
     pub(super) fn suffix(&self, variable: SystemVariable, number: Number) -> Result<usize, Fault> {
         let (first, last) = match variable {
             SystemVariable::PitchError(_) => (1, 120),
+            SystemVariable::ToolData(data) => (1, data.last(self.setup).into()),
+            SystemVariable::Comment => (1, 16),
+            SystemVariable::Input | SystemVariable::Output => (1, 1250),
+            SystemVariable::InputBit | SystemVariable::OutputBit => (0, 9999),
             _ => (0, i64::from(self.setup.options.offset_sets)),
         };
         // A value that rounds into the range lies within half a unit of it.
         let value = if number.within(2, -1, 2 * last + 1) { number.whole(1, Rounding::HalfAway) } else { -1 };
         match usize::try_from(value) {
-            Ok(index) if (first..=last).contains(&value) => Ok(index),
-            _ => Fault::raise(AlarmName::VariableSuffix, SVTAB_01),
+            Ok(index) if (first..=last).contains(&value) && variable.has_number(index) => Ok(index),
+            _ => Fault::raise(AlarmName::VariableSuffix, variable.suffix_rule()),
         }
     }
 
     /// The value of a system variable in an expression.
     pub(super) fn read_variable(
-        &self,
+        &mut self,
         variable: SystemVariable,
         suffix: Option<usize>,
     ) -> Result<Operand, Fault> {
@@ -43,13 +48,16 @@ impl Interpreter<'_> {
             SystemVariable::Restart => plain(if self.setup.inputs.restart { 128 } else { 0 }),
             SystemVariable::Pi => Ok(Operand::Real(std::f64::consts::PI)),
             SystemVariable::FullTurn => Ok(Operand::Real(self.scales.full_turn)),
-            SystemVariable::Droop(_) => plain(self.amount(variable, suffix)),
+            SystemVariable::Input | SystemVariable::InputBit | SystemVariable::OutputBit => {
+                Ok(Operand::Integer(self.read_input(variable, suffix.unwrap_or_default())))
+            }
+            _ if variable.is_plain() => plain(self.amount(variable, suffix)),
             _ => self.dimension(self.amount(variable, suffix), variable.is_angle()),
         }
     }
 
     /// The amount that a variable stands for, in nanometres, micro-degrees or plain.
-    fn amount(&self, variable: SystemVariable, suffix: Option<usize>) -> i64 {
+    pub(super) fn amount(&self, variable: SystemVariable, suffix: Option<usize>) -> i64 {
         let state = &self.state;
         let index = suffix.unwrap_or_default();
         let entry = |table: &[[i64; 2]], axis: Axis| {
@@ -75,6 +83,9 @@ impl Interpreter<'_> {
             SystemVariable::Commanded(axis) => state.program(axis as usize),
             SystemVariable::Actual(axis) => state.machine[axis as usize],
             SystemVariable::ActiveOffset(axis) => state.active_offset()[usize::from(axis == Axis::Z)],
+            SystemVariable::ToolData(data) => {
+                state.tool_data.get(&(data, index)).copied().unwrap_or_default()
+            }
             _ => 0,
         }
     }
@@ -102,10 +113,14 @@ impl Interpreter<'_> {
         variable: SystemVariable,
         suffix: Option<usize>,
         value: Operand,
+        origin: Origin,
         sink: &mut impl Sink,
     ) -> Result<(), Fault> {
+        if variable == SystemVariable::Output {
+            return self.assign_output(suffix.unwrap_or_default(), value, origin, sink);
+        }
         let number = value.number();
-        let plain = matches!(variable, SystemVariable::Droop(_));
+        let plain = variable.is_plain();
         // Units of a written 1, and the increment that is stored.
         let unit = match (plain, variable.is_angle()) {
             (true, _) => 1,
@@ -136,7 +151,7 @@ impl Interpreter<'_> {
             (false, false) => Value::Length(Length(amount)),
         };
         let action = Action::Variable { name: variable_label(variable, suffix), value: shown };
-        self.emit(sink, assignment_rules(variable), action);
+        self.emit(sink, origin.rules(assignment_rules(variable)), action);
         if before != amount {
             self.changed_frame(variable, suffix, sink);
         }
@@ -170,6 +185,9 @@ impl Interpreter<'_> {
             }
             SystemVariable::PitchError(axis) => set(&mut state.pitch_errors, axis),
             SystemVariable::Pitch(axis) => state.pitches[usize::from(axis == Axis::Z)] = amount,
+            SystemVariable::ToolData(data) => {
+                state.tool_data.insert((data, index), amount);
+            }
             _ => {}
         }
     }
@@ -237,12 +255,15 @@ fn assignment_rules(variable: SystemVariable) -> RuleSet {
         SystemVariable::PositiveLimit(_) | SystemVariable::NegativeLimit(_) => (SVAR_07, TYPE_05),
         SystemVariable::Barrier(_) => (SVAR_08, TYPE_05),
         SystemVariable::Droop(_) => (SVAR_09, TYPE_07),
+        SystemVariable::ToolData(_) if variable.is_plain() => (SVAR_14, TYPE_07),
+        SystemVariable::ToolData(_) => (SVAR_14, TYPE_05),
         _ => (SVAR_10, TYPE_05),
     };
     RuleSet::of(&[rule, conversion])
 }
 
-fn variable_label(variable: SystemVariable, suffix: Option<usize>) -> Label {
+/// The name of a variable with its suffix.
+pub fn variable_label(variable: SystemVariable, suffix: Option<usize>) -> Label {
     let (name, length) = variable.name();
     let mut label = Label::from_bytes(name.get(..length).unwrap_or_default());
     if let Some(suffix) = suffix {

@@ -4,6 +4,7 @@
 use turnspec_oracle::vocabulary::Label;
 
 use super::codes::{GGroup, g_group};
+use super::communication::CommentForm;
 use super::number::Number;
 use super::planted::{self, Bug};
 use super::system::SystemVariable;
@@ -147,13 +148,22 @@ pub enum Operation {
     NeedsBoolean,
     /// Functions need User Task 2; tested before their arguments.
     NeedsFunction,
+    /// VDIN needs User Task 2; tested before its suffix.
+    NeedsInput,
 }
 
-/// A run of operations.
+/// A run of operations, or of characters.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Code {
     pub start: u16,
     pub end: u16,
+}
+
+impl Code {
+    /// How many there are.
+    pub fn length(self) -> usize {
+        usize::from(self.end.saturating_sub(self.start))
+    }
 }
 
 /// Where the value of a word comes from.
@@ -170,6 +180,7 @@ pub enum Item {
     Mnemonic,
     Common { number: u8, value: Code },
     System { variable: SystemVariable, suffix: Option<Code>, value: Code },
+    Comment { suffix: Code, text: (Code, CommentForm) },
     Local { name: LocalName, value: Code },
 }
 
@@ -179,7 +190,7 @@ impl Item {
         match self {
             Self::Word(address, _) => Some(*address),
             Self::Mnemonic => Some(Address::Calrg),
-            Self::Common { .. } | Self::System { .. } | Self::Local { .. } => None,
+            Self::Common { .. } | Self::System { .. } | Self::Comment { .. } | Self::Local { .. } => None,
         }
     }
 }
@@ -191,11 +202,13 @@ pub struct Parsed {
     pub items: Vec<Item>,
     /// The operations of all its expressions.
     pub operations: Vec<Operation>,
+    /// The characters of all its strings.
+    pub characters: Vec<u8>,
     /// Sequence name with its `N`, or empty.
     pub sequence: Label,
     /// Program name with its `O`, if this is a program-name block.
     pub program: Option<Label>,
-    /// The statement, if it tells which block comes next.
+    /// The statement, if it is one other than NOEX.
     pub control: Option<Control>,
     /// Whether the block begins with NOEX.
     pub noex: bool,
@@ -212,6 +225,7 @@ impl Parsed {
     pub fn clear(&mut self) {
         self.items.clear();
         self.operations.clear();
+        self.characters.clear();
         self.sequence = Label::default();
         self.program = None;
         self.control = None;
@@ -229,6 +243,11 @@ impl Parsed {
     /// Whether nothing stands behind the sequence name, a statement that is not counted aside.
     pub fn is_only_name(&self) -> bool {
         self.items.is_empty() && !self.noex
+    }
+
+    /// The characters of one of its strings.
+    pub fn text(&self, characters: Code) -> &[u8] {
+        self.characters.get(usize::from(characters.start)..usize::from(characters.end)).unwrap_or_default()
     }
 
     /// Whether it has any item.

@@ -182,10 +182,10 @@ pub(crate) fn barriers(choices: &mut Choices<'_, '_>) -> Barriers {
     data.rear_length = length(30, 100);
     data.rear_diameter = length(20, 120);
     data.middle_length = length(10, 60);
-    data.middle_diameter = length(10, 60);
+    data.middle_diameter = length(5, 60);
     data.front_length = length(5, 40);
-    data.front_diameter = length(3, 30);
-    data.centre_diameter = length(1, 12);
+    data.front_diameter = length(3, 40);
+    data.centre_diameter = length(1, 30);
     data.workpiece_end = length(40, 150);
     let sizes: [&mut Length; 8] = [
         &mut data.jaw_length,
@@ -299,8 +299,8 @@ impl Builder<'_, '_, '_> {
             ("VCHKL", 0, 40),
             ("VCHKD", 0, 30),
             ("VTSL", 0, 40),
-            ("VTSDA", 0, 30),
-            ("VTSDB", 0, 12),
+            ("VTSDA", 0, 40),
+            ("VTSDB", 0, 30),
             ("VCHKX", -60, 120),
             ("VCHKZ", -160, -40),
             ("VWKR", 40, 150),
@@ -451,12 +451,6 @@ impl Builder<'_, '_, '_> {
         let place = places[self.choices.below(places.len())];
         let area = lists[place][self.choices.below(lists[place].len())];
         let (code, _) = CODES[place];
-        self.state.barriers.note_m(code);
-        let beside = self.choices.chance(30);
-        if !beside {
-            self.push(vec![Item::m(code)]);
-            self.begin();
-        }
         let finest = 2 * self.state.units.finest();
         let inside = |choices: &mut Choices<'_, '_>, (low, high): (i64, i64)| match choices.below(4) {
             0 => low + finest,
@@ -465,6 +459,16 @@ impl Builder<'_, '_, '_> {
         };
         let (z, x) = (inside(self.choices, area.z), inside(self.choices, area.x));
         let expressions = std::mem::take(&mut self.expressions);
+        let free = !self.state.barriers.is_watched() && !self.state.compensation.is_on();
+        if free && self.choices.chance(40) {
+            self.approach(&area, x, lists[1 - place].first());
+        }
+        self.state.barriers.note_m(code);
+        let beside = self.choices.chance(30);
+        if !beside {
+            self.push(vec![Item::m(code)]);
+            self.begin();
+        }
         let mut items = vec![self.incremental_word(false)];
         let skip = self.choices.chance(15) && self.allows(Feature::Torque) && !self.state.is_eia();
         let mode = self.choices.pick(&[Mode::Rapid, Mode::Linear, Mode::Clockwise]);
@@ -487,5 +491,27 @@ impl Builder<'_, '_, '_> {
         }
         self.expressions = expressions;
         true
+    }
+
+    /// The way to a point beside an area at this X, or into one of the other barrier, which is switched on there.
+    fn approach(&mut self, area: &Area, x: i64, other: Option<&Area>) {
+        let mut items = vec![self.incremental_word(false)];
+        self.select(Mode::Rapid, &mut items);
+        let other = other.filter(|_| self.choices.chance(40));
+        let point = match other {
+            Some(other) => ((other.z.0 + other.z.1) / 2, (other.x.0 + other.x.1) / 2),
+            None if area.z.0 > 0 => (area.z.0 - 5 * MM, x),
+            None => (area.z.1 + 5 * MM, x),
+        };
+        self.go(point, &mut items, None);
+        self.push(items);
+        self.begin();
+        if other.is_some() {
+            for (code, _) in CODES {
+                self.state.barriers.note_m(code);
+            }
+            self.push(CODES.map(|(code, _)| Item::m(code)).to_vec());
+            self.begin();
+        }
     }
 }

@@ -191,9 +191,17 @@ impl Expression {
             2 => Self::Binary(choices.pick(&Operator::COMPARISON), below(choices), below(choices)),
             3 => {
                 let function = choices.pick(&Function::ALL);
+                if function == Function::Round && choices.chance(30) {
+                    let half = Number::decimal(10 * choices.within(0, 99) + 5, 1);
+                    return Self::Call(function, vec![Self::Constant(half)]);
+                }
                 Self::Call(function, (0..function.arguments()).map(|_| *below(choices)).collect())
             }
             _ if choices.chance(30) => Self::Not(below(choices)),
+            _ if choices.chance(25) => {
+                let right = Self::Binary(Operator::And, below(choices), below(choices));
+                Self::Binary(choices.pick(&Operator::BOOLEAN), below(choices), Box::new(right))
+            }
             _ => Self::Binary(choices.pick(&Operator::BOOLEAN), below(choices), below(choices)),
         }
     }

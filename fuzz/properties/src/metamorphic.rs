@@ -116,13 +116,18 @@ fn translated(event: &Event, (x, z): (i64, i64)) -> Event {
 }
 
 /// A program of the generator does the same without its sequence names and with empty blocks and remarks
-/// between its blocks, but for places in the text and the alarm of a sequence name used twice.
+/// between its blocks, but for places in the text, the alarm of a sequence name used twice and the limit of steps, which
+/// a remark is one of. (Names that a statement looks for are kept.)
 ///
-/// Rules: E100L-SEQ-01, E100L-SEQ-04, E100L-CMT-01
+/// Rules: E100L-SEQ-01, E100L-SEQ-04, E100L-CMT-01, E100L-GOTO-03
 fn names_and_remarks_do_not_matter(pair: &Remarked) -> Verdict {
     let (named, remarked) = (trace(&pair.named), trace(&pair.remarked));
-    let last = named.last().map(|event| event.action);
-    if matches!(last, Some(Action::Alarm(alarm)) if alarm.name == AlarmName::SequenceNameDuplicate) {
+    let ends_with = |trace: &[Event], name: AlarmName| {
+        let last = trace.last().map(|event| event.action);
+        matches!(last, Some(Action::Alarm(alarm)) if alarm.name == name)
+    };
+    let limited = [&named, &remarked].iter().any(|trace| ends_with(trace, AlarmName::StepLimit));
+    if limited || ends_with(&named, AlarmName::SequenceNameDuplicate) {
         return Ok(());
     }
     let plain = |trace: &[Event]| trace.iter().map(without_place).collect::<Vec<_>>();

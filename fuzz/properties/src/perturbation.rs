@@ -14,6 +14,7 @@ const THRESHOLDS: &[AlarmName] = &[
     AlarmName::CoordinateRange,
     AlarmName::TravelLimitNegative,
     AlarmName::TravelLimitPositive,
+    AlarmName::Barrier,
     AlarmName::ArcRadiusMismatch,
     AlarmName::ArcRadiusTooSmall,
     AlarmName::ArcNoEndPoint,

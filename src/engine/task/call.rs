@@ -9,10 +9,10 @@ use crate::engine::fault::Fault;
 use crate::engine::planted::{self, Bug};
 use crate::engine::text::Mark;
 
-use super::Activation;
 use super::locals::Owner;
 use super::modal::ModalCall;
 use super::programs::{ProgramId, Programs};
+use super::{Activation, Activity};
 
 /// A call that has not returned.
 #[derive(Clone, Copy, Debug)]
@@ -27,7 +27,7 @@ pub struct Frame {
     pub modal: Option<ModalCall>,
 }
 
-impl Interpreter<'_> {
+impl<'a> Interpreter<'a> {
     /// The calls of CALL and of macro codes, after their assignments.
     pub(super) fn call_by_statement(
         &mut self,
@@ -56,26 +56,28 @@ impl Interpreter<'_> {
 
     /// The program with a name (E100L-CALL-03, E100L-NAME-05).
     pub(super) fn find_program(&mut self, name: Label) -> Result<ProgramId, Fault> {
+        let scope = self.schedule.scope();
+        self.programs().find(name, scope)
+    }
+
+    /// The programs of all texts.
+    pub(in crate::engine) fn programs(&mut self) -> &Programs<'a> {
         let (main, setup) = (self.task.main, self.setup);
-        self.task.programs.get_or_insert_with(|| Programs::new(main, setup)).find(name)
+        self.task.programs.get_or_insert_with(|| Programs::new(main, setup))
     }
 
     /// Goes on with a program; what runs now goes on when it returns.
     pub(super) fn begin_program(&mut self, id: ProgramId, cause: CallCause, modal: Option<ModalCall>) {
-        let Some(programs) = self.task.programs.as_ref() else { return };
-        let Some(program) = programs.get(id) else { return };
-        let text = programs.text(program.text);
+        let Some(program) = self.task.programs.as_ref().and_then(|programs| programs.get(id)) else { return };
         let caller = self.task.present;
         self.task.frames.push(Frame { caller, back: self.reader.mark(), place: self.place, cause, modal });
         self.task.present = Activation {
-            name: program.name,
-            program: Some(id),
-            text: program.text,
-            end: program.end,
+            kind: Activity::Called,
             kept_until: program.end,
             inside: modal.map(|modal| modal.mode).or(caller.inside),
+            ..Activation::selected(id + 1, &program)
         };
-        self.reader.turn_to(text, program.start);
+        self.reader.turn_to(self.task.text(program.text), program.start);
     }
 
     /// RTS.
@@ -96,11 +98,7 @@ impl Interpreter<'_> {
         self.task.frames.pop();
         let name = if planted::is(Bug::NameNotRestored) { self.task.present.name } else { frame.caller.name };
         self.task.present = Activation { name, ..frame.caller };
-        let text = match self.task.programs.as_ref() {
-            Some(programs) => programs.text(frame.caller.text),
-            None => self.task.main,
-        };
-        self.reader.turn_to(text, frame.back);
+        self.reader.turn_to(self.task.text(frame.caller.text), frame.back);
         if planted::is(Bug::ReturnBehindNext) {
             self.reader.next_lines();
         }

@@ -5,17 +5,19 @@ use turnspec_oracle::vocabulary::{AlarmName, Label, RuleId};
 
 use crate::engine::arithmetic::scale::TEN;
 use crate::engine::codes::{is_g_macro, is_m_macro};
+use crate::engine::communication::Transfer;
 use crate::engine::expression::{has_one_letter, is_reserved};
 use crate::engine::fault::Fault;
 use crate::engine::items::is_extended;
 use crate::engine::number::Number;
 use crate::engine::parse::{KEYWORDS, Parser};
+use crate::engine::schedule::Selecting;
 use crate::engine::text::{Class, class};
 use crate::engine::words::{Address, Code, Item, Source};
 
 use super::LocalName;
 
-/// A statement that tells which block comes next.
+/// A statement.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum Control {
     /// GOTO, with a sequence name.
@@ -30,6 +32,14 @@ pub enum Control {
     BeginMode(Label),
     /// MODOUT.
     EndMode,
+    /// READ, WRITE, GET or PUT.
+    Transfer(Transfer),
+    /// PSELECT.
+    Select(Selecting),
+    /// VSET.
+    Set,
+    /// END.
+    End,
     /// A G code macro (E100L-MACRO-01).
     GMacro(u16),
     /// An M code macro (E100L-MACRO-02).
@@ -44,6 +54,11 @@ pub enum Condition {
 }
 
 impl Control {
+    /// Whether it exchanges characters, and tells nothing about the next block.
+    pub fn is_transfer(self) -> bool {
+        matches!(self, Self::Transfer(_))
+    }
+
     /// Its keyword or macro code.
     pub fn word(self) -> Label {
         match self {
@@ -53,6 +68,10 @@ impl Control {
             Self::Return => Label::new("RTS"),
             Self::BeginMode(_) => Label::new("MODIN"),
             Self::EndMode => Label::new("MODOUT"),
+            Self::Transfer(transfer) => transfer.word(),
+            Self::Select(_) => Label::new("PSELECT"),
+            Self::Set => Label::new("VSET"),
+            Self::End => Label::new("END"),
             Self::GMacro(code) => Label::of_code(b'G', code),
             Self::MMacro(code) => Label::of_code(b'M', code),
         }
@@ -87,43 +106,47 @@ impl Parser<'_> {
             };
         }
         let keyword = Label::from_bytes(name);
-        let length = name.len();
         self.block.control = match keyword.as_str() {
-            "GOTO" => {
-                self.pass_keyword(keyword)?;
-                Some(Control::Goto(self.target(GOTO_01)?))
+            "PSELECT" | "VSET" | "END" => {
+                return Err(Fault::about(AlarmName::ScheduleStatement, SDF_02, keyword));
             }
             "IF" => {
-                self.at += length;
+                self.at += keyword.as_str().len();
                 Some(self.branch()?)
             }
-            "CALL" => {
+            _ => {
                 self.pass_keyword(keyword)?;
-                Some(Control::Call(self.subprogram(CALL_01)?))
+                self.delimited(keyword)?
             }
-            "MODIN" => {
-                self.pass_keyword(keyword)?;
-                Some(Control::BeginMode(self.subprogram(MODIN_01)?))
-            }
-            "RTS" => {
-                self.pass_keyword(keyword)?;
-                self.nothing_more(RTS_01)?;
-                Some(Control::Return)
-            }
-            "MODOUT" => {
-                self.pass_keyword(keyword)?;
-                self.nothing_more(MODIN_04)?;
-                Some(Control::EndMode)
-            }
-            "NOEX" => {
-                self.pass_keyword(keyword)?;
-                self.block.noex = true;
-                self.items(Some(NOEX_01))?;
-                None
-            }
-            _ => return Err(Fault::about(AlarmName::NotModelled, GCODE_03, keyword)),
         };
         Ok(true)
+    }
+
+    /// What follows a keyword and the blank behind it. NOEX leaves nothing but its items.
+    fn delimited(&mut self, keyword: Label) -> Result<Option<Control>, Fault> {
+        let control = match keyword.as_str() {
+            "GOTO" => Control::Goto(self.target(GOTO_01)?),
+            "CALL" => Control::Call(self.subprogram(CALL_01)?),
+            "MODIN" => Control::BeginMode(self.subprogram(MODIN_01)?),
+            "RTS" => {
+                self.nothing_more(RTS_01)?;
+                Control::Return
+            }
+            "MODOUT" => {
+                self.nothing_more(MODIN_04)?;
+                Control::EndMode
+            }
+            "READ" => Control::Transfer(Transfer::Read(self.channel(RDWR_01)?)),
+            "WRITE" => Control::Transfer(Transfer::Write(self.channel(RDWR_02)?)),
+            "GET" => Control::Transfer(self.get()?),
+            "PUT" => Control::Transfer(self.put()?),
+            _ => {
+                self.block.noex = true;
+                self.items(Some(NOEX_01))?;
+                return Ok(None);
+            }
+        };
+        Ok(Some(control))
     }
 
     /// A block whose first item begins with G or M; true if that is a macro code.
@@ -148,7 +171,7 @@ impl Parser<'_> {
     }
 
     /// A keyword with the blank behind it, and all blanks there.
-    fn pass_keyword(&mut self, keyword: Label) -> Result<(), Fault> {
+    pub(in crate::engine) fn pass_keyword(&mut self, keyword: Label) -> Result<(), Fault> {
         self.at += keyword.as_str().len();
         self.delimiter(CTL_03, keyword)
     }
@@ -162,7 +185,7 @@ impl Parser<'_> {
     }
 
     /// A sequence name and the end of the block.
-    fn target(&mut self, rule: RuleId) -> Result<Label, Fault> {
+    pub(in crate::engine) fn target(&mut self, rule: RuleId) -> Result<Label, Fault> {
         // NOEX is a keyword before it is a name.
         if self.peek() != Some(b'N') || self.run(self.at) == b"NOEX" {
             return Fault::raise(AlarmName::Format, rule);
@@ -173,13 +196,13 @@ impl Parser<'_> {
     }
 
     /// The end of the block.
-    fn nothing_more(&mut self, rule: RuleId) -> Result<(), Fault> {
+    pub(in crate::engine) fn nothing_more(&mut self, rule: RuleId) -> Result<(), Fault> {
         self.skip_blanks()?;
         if self.peek().is_some() { Fault::raise(AlarmName::Format, rule) } else { Ok(()) }
     }
 
     /// What follows IF (E100L-IFST-01, E100L-IFST-02).
-    fn branch(&mut self) -> Result<Control, Fault> {
+    pub(in crate::engine) fn branch(&mut self) -> Result<Control, Fault> {
         self.skip_blanks()?;
         let condition = if self.peek() == Some(b'[') {
             self.at += 1;
@@ -242,7 +265,7 @@ fn delimiter_missing(rule: RuleId, word: Label) -> Fault {
 }
 
 /// The value of a plain number that is a code.
-fn whole(number: Number) -> Option<u16> {
+pub fn whole(number: Number) -> Option<u16> {
     let Number::Decimal { digits, scale, .. } = number else { return None };
     let unit = TEN.get(usize::from(scale)).copied().filter(|unit| digits % unit == 0)?;
     u16::try_from(digits / unit).ok()

@@ -54,15 +54,33 @@ impl Head {
             return Self::Other;
         }
         let run = Run::take(&mut rest);
-        let delimited = rest.peek().is_none_or(|byte| {
-            *byte == b'/' || matches!(class(*byte), Class::Ignored | Class::Tab | Class::Open)
-        });
-        if delimited && is_name(run.bytes(), 5) && run.bytes() != b"OEX" {
-            Self::Sequence(number(run.bytes()))
-        } else {
-            Self::Other
+        if run.is_sequence_name(rest.peek()) { Self::Sequence(number(run.bytes())) } else { Self::Other }
+    }
+}
+
+/// Whether END stands first in a block, behind sequence name and slash (E100L-SDF-20).
+pub fn is_end(characters: Lenient) -> bool {
+    let mut rest = characters.peekable();
+    skip_blanks(&mut rest);
+    let slash = skip_slash(&mut rest);
+    if rest.next_if_eq(&b'N').is_some() {
+        let run = Run::take(&mut rest);
+        if !run.is_sequence_name(rest.peek()) {
+            return false;
+        }
+        skip_blanks(&mut rest);
+        if !slash {
+            skip_slash(&mut rest);
         }
     }
+    Run::take(&mut rest).bytes() == b"END"
+}
+
+/// Skips a slash and the blanks behind it.
+fn skip_slash(rest: &mut Peekable<Lenient>) -> bool {
+    let slash = rest.next_if_eq(&b'/').is_some();
+    skip_blanks(rest);
+    slash
 }
 
 /// The number of a valid sequence name without its `N`.
@@ -88,6 +106,14 @@ impl Run {
         run
     }
 
+    /// Whether it is a sequence name behind its `N`, with what stands behind it.
+    fn is_sequence_name(&self, next: Option<&u8>) -> bool {
+        let delimited = next.is_none_or(|byte| {
+            *byte == b'/' || matches!(class(*byte), Class::Ignored | Class::Tab | Class::Open)
+        });
+        delimited && is_name(self.bytes(), 5) && self.bytes() != b"OEX"
+    }
+
     fn bytes(&self) -> &[u8] {
         self.bytes.get(..self.length).unwrap_or_default()
     }
@@ -110,7 +136,7 @@ fn skip_blanks(rest: &mut Peekable<Lenient>) {
 
 #[cfg(test)]
 mod tests {
-    use super::{Head, number};
+    use super::{Head, is_end, number};
     use crate::engine::text::Reader;
     use turnspec_oracle::vocabulary::{Label, TapeCode};
 
@@ -132,6 +158,22 @@ mod tests {
         assert_eq!(head("/ (A)N10", true), Head::Other);
         assert_eq!(head("/ \tN10", true), ten);
         assert_eq!(head("NOEXA", false), Head::Sequence(number(b"OEXA")));
+    }
+
+    #[test]
+    fn end_ends_a_schedule() {
+        let ends = |text: &str| {
+            let mut reader = Reader::new(text.as_bytes(), TapeCode::Ascii);
+            let lines = reader.next_lines().unwrap_or_default();
+            is_end(reader.lenient(lines))
+        };
+        for text in ["END", " (A) N1 END X", "/END", "N1/END", "/N1 END", "END;", "N1\n$END"] {
+            assert!(ends(text), "{text:?}");
+        }
+        for text in ["ENDE", "END1", "N1END", "N123456 END", "//END", "/N1/END", "X END", "(END)", "NOEX END"]
+        {
+            assert!(!ends(text), "{text:?}");
+        }
     }
 
     #[test]

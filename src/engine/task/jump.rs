@@ -7,10 +7,10 @@ use crate::engine::Interpreter;
 use crate::engine::fault::Fault;
 use crate::engine::names::Names;
 use crate::engine::planted::{self, Bug};
-use crate::engine::text::Mark;
 
 use super::head;
-use super::labels::Labels;
+use super::labels::{Bound, Labels};
+use super::{Activation, Activity};
 
 impl Interpreter<'_> {
     /// Goes on with the block of the present program that has a name.
@@ -35,7 +35,7 @@ impl Interpreter<'_> {
     #[inline]
     pub(in crate::engine) fn is_first_with(&mut self, name: &[u8], start: usize) -> bool {
         // As long as the main program has gone straight on, every name behind was met.
-        if !self.task.is_called() && !matches!(self.task.labels.first(), Some(Some(_))) {
+        if self.task.present.is_open() && !matches!(self.task.labels.first(), Some(Some(_))) {
             return self.names.insert(name);
         }
         let first = self.labels().and_then(|labels| labels.find(head::number(name)));
@@ -44,7 +44,7 @@ impl Interpreter<'_> {
 
     /// The sequence names of the present program.
     fn labels(&mut self) -> Option<&Labels> {
-        let place = self.task.present.program.map_or(0, |program| program + 1);
+        let place = self.task.present.labels;
         if !matches!(self.task.labels.get(place), Some(Some(_))) {
             self.index_names(place);
         }
@@ -53,14 +53,15 @@ impl Interpreter<'_> {
 
     #[cold]
     fn index_names(&mut self, place: usize) {
-        let called = self.task.present.program.and_then(|program| self.task.programs.as_ref()?.get(program));
-        let (start, own_name) = match called {
-            Some(program) => (program.start, Some(program.start.at)),
-            None => (Mark { at: 0, line: 1, closed: false }, self.task.own_name),
-        };
+        let Activation { kind, start, end, .. } = self.task.present;
         let mut reader = self.reader.clone();
         reader.seek(start);
-        let labels = Labels::new(reader, own_name, self.options.block_delete);
+        let bound = match kind {
+            Activity::Main => Bound::NextName(self.task.own_name),
+            _ => Bound::Offset(end),
+        };
+        let block_delete = self.options.block_delete && kind != Activity::Schedule;
+        let labels = Labels::new(reader, bound, block_delete);
         let all = &mut self.task.labels;
         if all.len() <= place {
             all.resize_with(place + 1, || None);

@@ -40,7 +40,8 @@ impl Kept {
     /// Keeps a block.
     pub fn keep(&mut self, text: usize, block: KeptBlock) {
         let parts = block.parsed.items.capacity() * size_of::<Item>()
-            + block.parsed.operations.capacity() * size_of::<Operation>();
+            + block.parsed.operations.capacity() * size_of::<Operation>()
+            + block.parsed.characters.capacity();
         let size = parts + size_of::<KeptBlock>() + size_of::<Parsed>();
         if self.taken + size > ROOM {
             self.blocks.clear();

@@ -19,17 +19,31 @@ pub struct Labels {
     entries: Vec<Entry>,
 }
 
+/// Where a program ends.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Bound {
+    /// At an offset.
+    Offset(usize),
+    /// At the next name block that is not its own, whose offset is given.
+    NextName(Option<usize>),
+}
+
 impl Labels {
-    /// The names from where a reader stands to the next name block that is not the program's own.
-    pub fn new(mut reader: Reader, own_name: Option<usize>, block_delete: bool) -> Self {
+    /// The names from where a reader stands to the end of the program.
+    pub fn new(mut reader: Reader, bound: Bound, block_delete: bool) -> Self {
         let mut entries = Vec::new();
         while let Some(lines) = reader.next_lines() {
             if reader.is_no_block(lines) {
                 continue;
             }
+            if matches!(bound, Bound::Offset(end) if lines.start >= end) {
+                break;
+            }
             match Head::of(reader.lenient(lines), block_delete) {
                 Head::Program(_) if planted::is(Bug::NamesBeyondEnd) => {}
-                Head::Program(_) if own_name != Some(lines.start) => break,
+                Head::Program(_) if matches!(bound, Bound::NextName(own) if own != Some(lines.start)) => {
+                    break;
+                }
                 Head::Sequence(name) => entries.push(Entry { name, line: lines.line, start: lines.start }),
                 Head::Program(_) | Head::Other => {}
             }

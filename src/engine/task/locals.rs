@@ -4,6 +4,7 @@ use turnspec_oracle::vocabulary::rule_ids::*;
 use turnspec_oracle::vocabulary::{Action, AlarmName, Label, RuleSet, Sink, Value};
 
 use crate::engine::Interpreter;
+use crate::engine::assignment::Origin;
 use crate::engine::fault::Fault;
 use crate::engine::planted::{self, Bug};
 
@@ -47,17 +48,6 @@ pub enum Owner {
     Mode(u8),
 }
 
-/// How an assignment to a local variable registers it.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Registration {
-    /// In a block of items or behind NOEX: only a name that has no entry.
-    Item,
-    /// Behind CALL and macro codes that call: always, for the program that is about to begin.
-    Call,
-    /// Behind MODIN and its macro codes: always, for the mode that is about to begin.
-    Mode,
-}
-
 /// A registered variable.
 #[derive(Clone, Copy, Debug)]
 pub struct Entry {
@@ -98,6 +88,11 @@ impl Locals {
         self.entries.retain(|entry| entry.owner != owner);
     }
 
+    /// Lets no end but the reset remove what is there.
+    pub fn disown(&mut self) {
+        self.entries.iter_mut().for_each(|entry| entry.owner = Owner::Level(0));
+    }
+
     /// The entries, oldest first.
     pub fn entries(&self) -> &[Entry] {
         &self.entries
@@ -121,15 +116,10 @@ impl Task<'_> {
     }
 
     /// Changes or registers a variable; the rules of that.
-    fn store_local(
-        &mut self,
-        name: LocalName,
-        value: f64,
-        registration: Registration,
-    ) -> Result<RuleSet, Fault> {
+    fn store_local(&mut self, name: LocalName, value: f64, origin: Origin) -> Result<RuleSet, Fault> {
         let depth = self.depth();
-        let (owner, rules) = match (registration, depth > 0) {
-            (Registration::Item, called) => {
+        let (owner, rules) = match (origin, depth > 0) {
+            (Origin::Item | Origin::Schedule | Origin::Field | Origin::Rest, called) => {
                 if self.locals.change(name, value) {
                     return Ok(if called {
                         const { RuleSet::of(&[LVAR_13, TYPE_04, LVAR_06, LVAR_11]) }
@@ -144,13 +134,13 @@ impl Task<'_> {
                 };
                 (Owner::Level(depth), rules)
             }
-            (Registration::Call, _) => {
+            (Origin::Call, _) => {
                 if planted::is(Bug::CallAssigns) && self.locals.change(name, value) {
                     return Ok(const { RuleSet::of(&[LVAR_13, TYPE_04, LVAR_08]) });
                 }
                 (Owner::Level(depth.saturating_add(1)), const { RuleSet::of(&[LVAR_13, TYPE_04, LVAR_08]) })
             }
-            (Registration::Mode, _) => {
+            (Origin::Mode, _) => {
                 (Owner::Mode(self.next_mode()), const { RuleSet::of(&[LVAR_13, TYPE_04, MODIN_09]) })
             }
         };
@@ -165,11 +155,15 @@ impl Interpreter<'_> {
         &mut self,
         name: LocalName,
         value: f64,
-        registration: Registration,
+        origin: Origin,
         sink: &mut impl Sink,
     ) -> Result<(), Fault> {
-        let rules = self.task.store_local(name, value, registration)?;
-        self.emit(sink, rules, Action::Variable { name: name.label(), value: Value::Real(value) });
+        let rules = self.task.store_local(name, value, origin)?;
+        self.emit(
+            sink,
+            origin.rules(rules),
+            Action::Variable { name: name.label(), value: Value::Real(value) },
+        );
         Ok(())
     }
 }

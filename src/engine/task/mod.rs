@@ -17,37 +17,73 @@ mod reading;
 mod situation;
 mod statement;
 
-pub use grammar::{Condition, Control};
-pub use locals::{LocalName, Registration};
+pub use grammar::{Condition, Control, whole};
+pub use head::Head;
+pub use locals::LocalName;
+pub use programs::{Program, Programs, Scope};
 pub use reading::Turn;
 pub use situation::{Holder, Level, Local, Mode, Situation};
 
 use turnspec_oracle::vocabulary::Label;
 
 use super::planted::{self, Bug};
-
+use super::text::Mark;
 use call::Frame;
 use kept::Kept;
 use labels::Labels;
 use locals::Locals;
 use modal::ActiveMode;
-use programs::{ProgramId, Programs};
+
+/// As what a program runs.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Activity {
+    /// The main program of the main text.
+    Main,
+    /// The main text, as a schedule program.
+    Schedule,
+    /// A main program that a schedule program has selected.
+    Selected,
+    /// It was called.
+    Called,
+}
 
 /// A program that runs.
 #[derive(Clone, Copy, Debug)]
 pub struct Activation {
     /// The program name in force.
     pub name: Label,
-    /// The called program; none for the main program that was not called.
-    program: Option<ProgramId>,
+    kind: Activity,
     /// Number of its text: 0 is the main text.
-    text: usize,
-    /// Where the program ends, known of a called one.
-    end: usize,
+    pub text: usize,
+    /// Its first block.
+    pub start: Mark,
+    /// Where the program ends, as far as that is known before the run comes there.
+    pub end: usize,
     /// Parsed blocks are kept up to this place.
     kept_until: usize,
     /// The mode whose call this is, or is part of.
     inside: Option<u8>,
+    /// Where its sequence names are among those of all programs.
+    labels: usize,
+}
+
+impl Activation {
+    /// The beginning of a selected main program, whose sequence names have a place.
+    pub fn selected(labels: usize, program: &Program) -> Self {
+        let Program { name, text, start, end } = *program;
+        Self { name, kind: Activity::Selected, text, start, end, kept_until: 0, inside: None, labels }
+    }
+
+    /// Keeps all parsed blocks of the program.
+    pub fn keep_all(&mut self) {
+        self.kept_until = self.end;
+    }
+
+    /// Whether it is the main program of the main text, which goes on to the next program name.
+    #[inline]
+    fn is_open(&self) -> bool {
+        self.kind == Activity::Main
+    }
 }
 
 /// What control flow remembers.
@@ -73,14 +109,9 @@ pub struct Task<'a> {
 impl<'a> Task<'a> {
     /// The beginning of a run that may begin so many blocks.
     pub fn new(main: &'a [u8], steps: u64) -> Self {
-        let present = Activation {
-            name: Label::default(),
-            program: None,
-            text: 0,
-            end: usize::MAX,
-            kept_until: 0,
-            inside: None,
-        };
+        let start = Mark { at: 0, line: 1, closed: false };
+        let whole = Program { name: Label::default(), text: 0, start, end: usize::MAX };
+        let present = Activation { kind: Activity::Main, ..Activation::selected(0, &whole) };
         Self {
             main,
             present,
@@ -95,9 +126,20 @@ impl<'a> Task<'a> {
         }
     }
 
-    /// Whether a called program runs.
-    pub fn is_called(&self) -> bool {
-        self.present.program.is_some()
+    /// Counts no steps, or more than there can be.
+    pub fn count_no_steps(&mut self) {
+        self.steps_left = u64::MAX;
+    }
+
+    /// A text by its number.
+    pub fn text(&self, number: usize) -> &'a [u8] {
+        self.programs.as_ref().map_or(self.main, |programs| programs.text(number))
+    }
+
+    /// A selected program is done: no call is left, and its local variables stay (E100L-SDF-14).
+    pub fn leave_program(&mut self) {
+        self.frames.clear();
+        self.locals.disown();
     }
 
     /// How many called programs are active.

@@ -24,10 +24,20 @@ pub struct Program {
     pub end: usize,
 }
 
+/// The files in which a selected program finds its subprograms, besides those of the control itself
+/// (E100L-SDF-10); by the numbers of their texts.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Scope {
+    pub main: usize,
+    pub subprograms: Option<usize>,
+}
+
 /// Every program with a name.
 #[derive(Debug)]
 pub struct Programs<'a> {
     texts: Vec<&'a [u8]>,
+    /// Which of the texts are files of system or manufacturer.
+    own: Vec<bool>,
     /// In the order of their names.
     programs: Vec<Program>,
 }
@@ -42,19 +52,42 @@ impl<'a> Programs<'a> {
             collect(number, Reader::new(text, setup.tape.code), setup.switches.block_delete, &mut programs);
         }
         programs.sort_by_key(|program| program.name);
-        Self { texts, programs }
+        let is_own = |file: &String| file.ends_with(".SSB") || file.ends_with(".MSB");
+        let own = std::iter::once(false).chain(setup.library.keys().map(is_own)).collect();
+        Self { texts, own, programs }
     }
 
-    /// The one program with a name.
-    pub fn find(&self, name: Label) -> Result<ProgramId, Fault> {
-        let first = self.programs.partition_point(|program| program.name < name);
-        let has_name = |place: usize| self.programs.get(place).is_some_and(|program| program.name == name);
-        match (has_name(first), has_name(first + 1)) {
-            (true, false) => Ok(first),
-            (true, true) if planted::is(Bug::FirstOfEqualPrograms) => Ok(first),
-            (true, true) => Err(Fault::about(AlarmName::ProgramDuplicate, NAME_05, name)),
-            (false, _) => Err(Fault::about(AlarmName::ProgramUnknown, CALL_03, name)),
+    /// The one program with a name, of all texts or of those in which it is looked for.
+    pub fn find(&self, name: Label, scope: Option<Scope>) -> Result<ProgramId, Fault> {
+        let is_in = |text: usize, scope: Scope| {
+            text == scope.main
+                || Some(text) == scope.subprograms
+                || self.own.get(text).copied().unwrap_or_default()
+        };
+        let mut found =
+            self.named(name).filter(|(_, program)| scope.is_none_or(|scope| is_in(program.text, scope)));
+        match (found.next(), found.next()) {
+            (Some((program, _)), None) => Ok(program),
+            (Some((program, _)), Some(_)) if planted::is(Bug::FirstOfEqualPrograms) => Ok(program),
+            (Some(_), Some(_)) => Err(Fault::about(AlarmName::ProgramDuplicate, NAME_05, name)),
+            (None, _) => Err(Fault::about(AlarmName::ProgramUnknown, CALL_03, name)),
         }
+    }
+
+    /// The programs of a text with a name.
+    pub fn in_file(&self, name: Label, text: usize) -> impl Iterator<Item = (ProgramId, &Program)> {
+        self.named(name).filter(move |(_, program)| program.text == text)
+    }
+
+    fn named(&self, name: Label) -> impl Iterator<Item = (ProgramId, &Program)> {
+        let first = self.programs.partition_point(|program| program.name < name);
+        let rest = self.programs.iter().enumerate().skip(first);
+        rest.take_while(move |(_, program)| program.name == name)
+    }
+
+    /// How many programs there are.
+    pub fn count(&self) -> usize {
+        self.programs.len()
     }
 
     /// A program by its place.

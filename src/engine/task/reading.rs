@@ -10,9 +10,10 @@ use crate::engine::fault::Fault;
 use crate::engine::parse::Parser;
 use crate::engine::planted::{self, Bug};
 use crate::engine::slot::Slot;
-use crate::engine::text::Lines;
+use crate::engine::text::{Kind, Lines};
 
-use super::head::Head;
+use super::Activity;
+use super::head::{self, Head};
 use super::kept::KeptBlock;
 
 /// Whether a block is read in its turn.
@@ -49,14 +50,19 @@ impl Interpreter<'_> {
             }
             let Some(lines) = self.reader.next_lines() else { break };
             slot.place = self.place_of(lines);
-            if self.reader.passes_over(lines)? {
-                continue;
+            match self.reader.kind(lines)? {
+                Kind::Block => {}
+                Kind::Other => continue,
+                Kind::ScheduleHeader => {
+                    self.begin_schedule();
+                    continue;
+                }
             }
             if self.ends_program(lines, turn) {
                 return Ok(false);
             }
             if let Err(limit) = self.count_step(slot, turn)
-                && !(self.begun && !self.task.is_called() && self.names_program(lines))
+                && !(self.begun && self.task.present.is_open() && self.names_program(lines))
             {
                 return Err(limit);
             }
@@ -159,7 +165,9 @@ impl Interpreter<'_> {
             return Fault::raise(AlarmName::IllegalCharacter, FMT_08);
         }
         let block = slot.parsed.renew();
-        let parsed = Parser { text, at: 0, options: self.options, block }.parse();
+        let mut parser = Parser { text, at: 0, options: self.options, block };
+        let schedule = self.task.present.kind == Activity::Schedule;
+        let parsed = if schedule { parser.schedule_block() } else { parser.parse() };
         slot.place.sequence = slot.parsed.sequence;
         parsed?;
         if let Some(name) = slot.parsed.program {
@@ -179,7 +187,7 @@ impl Interpreter<'_> {
 
     /// A block with a program name: the own one of the program that runs, or one behind the main program.
     fn begin_named(&mut self, name: Label, start: usize) -> Result<(), Fault> {
-        if self.task.is_called() {
+        if !self.task.present.is_open() {
             return Ok(());
         }
         if self.begun {
@@ -193,10 +201,23 @@ impl Interpreter<'_> {
 
     /// Where the program that runs has ended without saying so (E100L-RTS-01, E100L-PROG-02).
     pub(in crate::engine) fn end_missing(&self) -> Fault {
-        if self.task.is_called() {
-            Fault::new(AlarmName::NoReturn, RTS_01)
-        } else {
-            Fault::new(AlarmName::NoProgramEnd, PROG_02)
+        match self.task.present.kind {
+            Activity::Main | Activity::Selected => Fault::new(AlarmName::NoProgramEnd, PROG_02),
+            Activity::Schedule => Fault::new(AlarmName::ScheduleEndMissing, SDF_20),
+            Activity::Called => Fault::new(AlarmName::NoReturn, RTS_01),
+        }
+    }
+
+    /// The main text is a schedule program: it ends with its first END block, if it has one.
+    pub(in crate::engine) fn begin_schedule(&mut self) {
+        let present = &mut self.task.present;
+        present.kind = Activity::Schedule;
+        let mut reader = self.reader.clone();
+        while let Some(lines) = reader.next_lines() {
+            if !reader.is_no_block(lines) && head::is_end(reader.lenient(lines)) {
+                present.end = reader.at();
+                break;
+            }
         }
     }
 }

@@ -1,14 +1,15 @@
 //! Carrying out statements (execution, chapter 9).
 
 use turnspec_oracle::vocabulary::rule_ids::*;
-use turnspec_oracle::vocabulary::{AlarmName, Label, RuleId, Sink};
+use turnspec_oracle::vocabulary::{AlarmName, Ending, Label, RuleId, Sink};
 
 use crate::engine::Interpreter;
+use crate::engine::assignment::Origin;
 use crate::engine::fault::Fault;
 use crate::engine::planted::{self, Bug};
 use crate::engine::words::{Operand, Parsed};
 
-use super::{Condition, Control, Registration};
+use super::{Condition, Control};
 
 /// What a macro code begins.
 enum Macro {
@@ -23,7 +24,7 @@ impl Interpreter<'_> {
         parsed: &Parsed,
         control: Control,
         sink: &mut impl Sink,
-    ) -> Result<(), Fault> {
+    ) -> Result<Option<Ending>, Fault> {
         self.let_statement_pass()?;
         match control {
             Control::Goto(name) => self.jump(name, GOTO_02)?,
@@ -36,16 +37,20 @@ impl Interpreter<'_> {
                     self.reader.seek(here);
                 }
             }
+            Control::Select(selecting) => self.select(parsed, selecting, sink)?,
+            Control::Set => self.assignments(parsed, Origin::Schedule, sink)?,
+            Control::End => return Ok(Some(self.end_schedule(sink))),
             _ if self.options.level_one => {
                 return Err(Fault::about(AlarmName::UserTaskLevel, UT_03, control.word()));
             }
+            Control::Transfer(transfer) => return self.transfer(parsed, transfer, sink).map(|()| None),
             Control::Call(name) => {
-                self.assignments(parsed, Registration::Call, sink)?;
+                self.assignments(parsed, Origin::Call, sink)?;
                 self.call_by_statement(name, CALL_02, sink)?;
             }
             Control::Return => self.return_from_call(sink)?,
             Control::BeginMode(name) => {
-                self.assignments(parsed, Registration::Mode, sink)?;
+                self.assignments(parsed, Origin::Mode, sink)?;
                 self.begin_mode(name, control.word())?;
             }
             Control::EndMode => self.end_mode()?,
@@ -59,7 +64,7 @@ impl Interpreter<'_> {
             self.finish_block(sink)?;
         }
         self.finish_statement(sink);
-        Ok(())
+        Ok(None)
     }
 
     /// Whether the condition of an IF is true (E100L-IFST-02, E100L-IFST-04).
@@ -75,13 +80,8 @@ impl Interpreter<'_> {
         }
     }
 
-    fn assignments(
-        &mut self,
-        parsed: &Parsed,
-        registration: Registration,
-        sink: &mut impl Sink,
-    ) -> Result<(), Fault> {
-        parsed.items.iter().try_for_each(|item| self.assignment(parsed, *item, registration, sink))
+    fn assignments(&mut self, parsed: &Parsed, origin: Origin, sink: &mut impl Sink) -> Result<(), Fault> {
+        parsed.items.iter().try_for_each(|item| self.assignment(parsed, *item, origin, sink))
     }
 
     /// A macro code, with the program that the set-up gives to it.
@@ -93,11 +93,11 @@ impl Interpreter<'_> {
         rule: RuleId,
         sink: &mut impl Sink,
     ) -> Result<(), Fault> {
-        let registration = match kind {
-            Macro::Call => Registration::Call,
-            Macro::Mode => Registration::Mode,
+        let origin = match kind {
+            Macro::Call => Origin::Call,
+            Macro::Mode => Origin::Mode,
         };
-        self.assignments(parsed, registration, sink)?;
+        self.assignments(parsed, origin, sink)?;
         let Some(name) = self.setup.macros.get(code.as_str()).copied() else {
             return Err(Fault::about(AlarmName::MacroUnassigned, rule, code));
         };

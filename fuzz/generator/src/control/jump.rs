@@ -51,7 +51,12 @@ impl Builder<'_, '_, '_> {
         let control = &self.state.control;
         let locals = self.allows(Feature::LocalVariable);
         if locals && !control.shared && self.choices.chance(25) {
-            let name = self.choices.pick(&NAMES);
+            let known: Vec<&'static str> = control.known_names().collect();
+            let name = if known.is_empty() || self.choices.chance(50) {
+                self.choices.pick(&NAMES)
+            } else {
+                self.choices.pick(&known)
+            };
             return (Condition::Defined(name), self.state.control.is_defined(name));
         }
         let (left, a) = self.known_value(30);

@@ -48,6 +48,11 @@ impl super::Control {
         self.entries.iter().any(|entry| entry.name == name)
     }
 
+    /// The names that have an entry.
+    pub(super) fn known_names(&self) -> impl Iterator<Item = &'static str> {
+        self.entries.iter().map(|entry| entry.name)
+    }
+
     /// Registers a name anew.
     pub(super) fn register(&mut self, name: &'static str, value: Option<f64>, owner: Owner) {
         self.entries.push(Entry { name, value, owner });

@@ -4,9 +4,10 @@ use std::rc::Rc;
 
 use turnspec_oracle::vocabulary::Feature;
 
-use crate::builder::Builder;
+use crate::builder::{Builder, Kind};
 use crate::companions::has;
 use crate::program::{Item, Statement};
+use crate::state::Mode as MotionMode;
 
 use super::local::Owner;
 use super::steady::Called;
@@ -45,6 +46,9 @@ impl Builder<'_, '_, '_> {
         let statement = self.calling(&called.name, true);
         self.statement(statement, items);
         self.state.control.modes.push(Mode { called });
+        if self.choices.chance(12) {
+            self.turns();
+        }
         for _ in 0..=self.choices.below(4) {
             self.grow_block();
         }
@@ -52,6 +56,28 @@ impl Builder<'_, '_, '_> {
         self.statement(Statement::Modout, Vec::new());
         self.state.control.modes.pop();
         self.state.control.remove(Owner::Mode(number));
+    }
+
+    /// A motion of C alone, which triggers nothing, where the axis is joined; else the code that may join it.
+    fn turns(&mut self) {
+        let free = !self.state.compensation.is_on() && !self.state.barriers.is_watched();
+        let allowed = self.allows(Feature::CAxis) && self.allows(Feature::Rapid);
+        if !free || !allowed || !self.permits_kind(Kind::CAxis) {
+            return;
+        }
+        let may_turn = |builder: &Self| builder.state.joined && !builder.state.clamped;
+        self.begin();
+        if !may_turn(self) {
+            self.block_of(Kind::CAxis);
+            self.begin();
+        }
+        if may_turn(self) {
+            let mut items = Vec::new();
+            self.select(MotionMode::Rapid, &mut items);
+            self.c_words(&mut items);
+            self.state.after_cutting = false;
+            self.push(items);
+        }
     }
 
     /// What a block that was just written triggers.

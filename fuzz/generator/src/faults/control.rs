@@ -87,6 +87,9 @@ impl Builder<'_, '_, '_> {
             _ => {
                 let name = self.new_program_name();
                 self.named_program(name.clone(), &[&format!("CALL O{name}"), "RTS"]);
+                if self.choices.chance(30) {
+                    return self.blocks(&[&format!("MODIN O{name}"), "G91 G00 X0 Z0"]);
+                }
                 self.call_of(&name)
             }
         }

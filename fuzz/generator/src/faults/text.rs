@@ -23,7 +23,7 @@ const TEXTS: &[(Fault, &[&str])] = &[
     (Fault::ProgramNameMisplaced, &["O99", ":7", "OA (SECOND)"]),
     (Fault::SequenceNameMalformed, &["N", "N-5 G00", "N(1) X5", "N /X5", "N.5"]),
     (Fault::SequenceDelimiterMissing, &["N10G01", "N1234567", "NABCDEFG X1", "N1A G00", "N10-5", "N5=7"]),
-    (Fault::SlashMisplaced, &["G00 / X5", "//G00", "/N7 / X5", "X5/2", "X5 /", "N8 //"]),
+    (Fault::SlashMisplaced, &["G00 / X5", "//G00", "/N7 / X5", "X5/2", "X5 /", "N8 //", "/N7/", "/ NA1 /M08"]),
     (Fault::Format, &[
         "X=", "5", "G00 +5", "X5(A)5", "X5\t5", "SIN[5]", "X=1 LT 2 LT 3", "G00 [5]", "X=G1", "X=SB", "EQ 5",
         "V5=GOTO", "X=5+", "V1=*5", "X=[]", "=5", "V1=", "X5 , Z3", "V1=1 AND", "X=2*", "NOT 5", "X=X",
