@@ -432,7 +432,7 @@ impl Builder<'_, '_, '_> {
     }
 
     /// Switches barriers on and moves into one, by an increment or far, straight, along an arc, by a torque skip.
-    pub(crate) fn into_barrier(&mut self) -> bool {
+    pub(crate) fn enter_barrier(&mut self) -> bool {
         let lists = self.state.barriers.rectangles();
         let places: Vec<usize> = (0..2).filter(|place| !lists[*place].is_empty()).collect();
         if places.is_empty() {
