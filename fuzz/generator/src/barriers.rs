@@ -185,15 +185,19 @@ pub(crate) fn barriers(choices: &mut Choices<'_, '_>) -> Barriers {
     data.middle_diameter = length(5, 60);
     data.front_length = length(5, 40);
     data.front_diameter = length(3, 40);
-    data.centre_diameter = length(1, 30);
+    data.centre_diameter = length(1, 40);
     data.workpiece_end = length(40, 150);
-    let sizes: [&mut Length; 8] = [
+    if choices.chance(25) {
+        std::mem::swap(&mut data.front_diameter, &mut data.rear_diameter);
+    }
+    let sizes: [&mut Length; 9] = [
         &mut data.jaw_length,
         &mut data.jaw_height,
         &mut data.grip_length,
         &mut data.grip_height,
         &mut data.chuck_x,
         &mut data.front_length,
+        &mut data.front_diameter,
         &mut data.middle_diameter,
         &mut data.rear_length,
     ];
@@ -300,7 +304,7 @@ impl Builder<'_, '_, '_> {
             ("VCHKD", 0, 30),
             ("VTSL", 0, 40),
             ("VTSDA", 0, 40),
-            ("VTSDB", 0, 30),
+            ("VTSDB", 0, 40),
             ("VCHKX", -60, 120),
             ("VCHKZ", -160, -40),
             ("VWKR", 40, 150),
@@ -442,7 +446,7 @@ impl Builder<'_, '_, '_> {
     }
 
     /// Switches barriers on and moves into one, by an increment or far, straight, along an arc, by a torque skip.
-    pub(crate) fn into_barrier(&mut self) -> bool {
+    pub(crate) fn enter_barrier(&mut self) -> bool {
         let lists = self.state.barriers.rectangles();
         let places: Vec<usize> = (0..2).filter(|place| !lists[*place].is_empty()).collect();
         if places.is_empty() {
@@ -452,16 +456,17 @@ impl Builder<'_, '_, '_> {
         let area = lists[place][self.choices.below(lists[place].len())];
         let (code, _) = CODES[place];
         let finest = 2 * self.state.units.finest();
-        let inside = |choices: &mut Choices<'_, '_>, (low, high): (i64, i64)| match choices.below(4) {
+        let inside = |choices: &mut Choices<'_, '_>, (low, high): (i64, i64)| match choices.below(3) {
             0 => low + finest,
             1 => high - finest,
             _ => low + (high - low) / 2,
         };
-        let (z, x) = (inside(self.choices, area.z), inside(self.choices, area.x));
+        let (mut z, x) = (inside(self.choices, area.z), inside(self.choices, area.x));
         let expressions = std::mem::take(&mut self.expressions);
         let free = !self.state.barriers.is_watched() && !self.state.compensation.is_on();
-        if free && self.choices.chance(40) {
-            self.approach(&area, x, lists[1 - place].first());
+        if free && self.choices.chance(60) {
+            let beyond = self.approach(&area, x, lists[1 - place].first());
+            z = beyond.filter(|_| self.choices.chance(25)).unwrap_or(z);
         }
         self.state.barriers.note_m(code);
         let beside = self.choices.chance(30);
@@ -493,16 +498,16 @@ impl Builder<'_, '_, '_> {
         true
     }
 
-    /// The way to a point beside an area at this X, or into one of the other barrier, which is switched on there.
-    fn approach(&mut self, area: &Area, x: i64, other: Option<&Area>) {
+    /// The way to a point beside an area at this X, or into one of the other barrier, which is switched on there;
+    /// in the first case Z on the other side of the area.
+    fn approach(&mut self, area: &Area, x: i64, other: Option<&Area>) -> Option<i64> {
         let mut items = vec![self.incremental_word(false)];
         self.select(Mode::Rapid, &mut items);
         let other = other.filter(|_| self.choices.chance(40));
-        let point = match other {
-            Some(other) => ((other.z.0 + other.z.1) / 2, (other.x.0 + other.x.1) / 2),
-            None if area.z.0 > 0 => (area.z.0 - 5 * MM, x),
-            None => (area.z.1 + 5 * MM, x),
-        };
+        let (before, behind) = (area.z.0 - 5 * MM, area.z.1 + 5 * MM);
+        let (near, far) = if area.z.0 > 0 { (before, behind) } else { (behind, before) };
+        let middle = |area: &Area| ((area.z.0 + area.z.1) / 2, (area.x.0 + area.x.1) / 2);
+        let point = other.map_or((near, x), middle);
         self.go(point, &mut items, None);
         self.push(items);
         self.begin();
@@ -512,6 +517,8 @@ impl Builder<'_, '_, '_> {
             }
             self.push(CODES.map(|(code, _)| Item::m(code)).to_vec());
             self.begin();
+            return None;
         }
+        Some(far)
     }
 }

@@ -132,7 +132,7 @@ impl Printer<'_, '_, '_> {
         if let Some(statement) = &block.statement {
             text.push_str(&self.statement(statement));
             let loose = matches!(statement, Statement::Macro(..));
-            if !block.items.is_empty() && !(loose && self.choices.chance(self.style.glue)) {
+            if !(block.items.is_empty() || loose && self.choices.chance(self.style.glue)) {
                 text.push_str(self.separator());
             }
         }

@@ -48,7 +48,7 @@ impl<'a> Programs<'a> {
         let library = setup.library.values().map(|text| text.0.as_slice());
         let texts: Vec<&[u8]> = std::iter::once(main).chain(library).collect();
         let mut programs = Vec::new();
-        for (number, text) in texts.iter().enumerate().skip(usize::from(planted::is(Bug::LibraryAlone))) {
+        for (number, text) in texts.iter().enumerate().skip(usize::from(planted::is(Bug::MainTextPassed))) {
             collect(number, Reader::new(text, setup.tape.code), setup.switches.block_delete, &mut programs);
         }
         programs.sort_by_key(|program| program.name);

@@ -9,7 +9,7 @@ use crate::expression::{Expression, Operator, Variable};
 use crate::number::Number;
 use crate::program::{Item, Line, Statement, Value};
 
-use super::local::{NAMES, Owner};
+use super::local::Owner;
 use super::passes::compare;
 use super::steady::Called;
 
@@ -101,7 +101,7 @@ impl Builder<'_, '_, '_> {
         for _ in 0..self.choices.below(4) {
             let (expression, value) = self.known_value(25);
             if self.allows(Feature::LocalVariable) && self.choices.chance(80) {
-                let name = self.choices.pick(&NAMES);
+                let name = self.some_name();
                 self.state.control.register(name, Some(value), owner);
                 items.push(Item::Assignment(Variable::Local(name), expression));
             } else if self.allows(Feature::Variable) {

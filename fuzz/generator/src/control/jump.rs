@@ -8,7 +8,7 @@ use crate::number::Number;
 use crate::program::{Block, Condition, Item, Line, Statement};
 use crate::unit::Estimate;
 
-use super::local::{CHANGING, NAMES};
+use super::local::CHANGING;
 use super::text;
 
 impl Builder<'_, '_, '_> {
@@ -51,12 +51,7 @@ impl Builder<'_, '_, '_> {
         let control = &self.state.control;
         let locals = self.allows(Feature::LocalVariable);
         if locals && !control.shared && self.choices.chance(25) {
-            let known: Vec<&'static str> = control.known_names().collect();
-            let name = if known.is_empty() || self.choices.chance(50) {
-                self.choices.pick(&NAMES)
-            } else {
-                self.choices.pick(&known)
-            };
+            let name = self.some_name();
             return (Condition::Defined(name), self.state.control.is_defined(name));
         }
         let (left, a) = self.known_value(30);

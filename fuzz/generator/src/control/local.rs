@@ -48,11 +48,6 @@ impl super::Control {
         self.entries.iter().any(|entry| entry.name == name)
     }
 
-    /// The names that have an entry.
-    pub(super) fn known_names(&self) -> impl Iterator<Item = &'static str> {
-        self.entries.iter().map(|entry| entry.name)
-    }
-
     /// Registers a name anew.
     pub(super) fn register(&mut self, name: &'static str, value: Option<f64>, owner: Owner) {
         self.entries.push(Entry { name, value, owner });
@@ -73,6 +68,16 @@ impl super::Control {
 }
 
 impl Builder<'_, '_, '_> {
+    /// Any name, or one that has an entry.
+    pub(super) fn some_name(&mut self) -> &'static str {
+        let known: Vec<_> = self.state.control.entries.iter().map(|entry| entry.name).collect();
+        if known.is_empty() || self.choices.chance(50) {
+            self.choices.pick(&NAMES)
+        } else {
+            self.choices.pick(&known)
+        }
+    }
+
     /// A block of assignments with local variables, with or without NOEX and words.
     pub(super) fn local_block(&mut self) {
         let noex = self.choices.chance(20) && self.allows(Feature::ControlStatement);

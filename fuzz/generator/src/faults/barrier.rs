@@ -14,6 +14,6 @@ impl Builder<'_, '_, '_> {
         if !self.state.barriers.is_wanted() && !self.jaw_beside() {
             return false;
         }
-        self.into_barrier()
+        self.enter_barrier()
     }
 }

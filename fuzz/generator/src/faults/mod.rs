@@ -23,6 +23,9 @@ pub(crate) type Fault = AlarmName;
 
 /// A fault of any family; often one that only a set-up like this one lets happen.
 pub(crate) fn choose(choices: &mut Choices<'_, '_>, setup: &Setup) -> Fault {
+    if setup.barriers != Setup::default().barriers && choices.chance(30) {
+        return Fault::Barrier;
+    }
     let special = special(setup);
     if !special.is_empty() && choices.chance(20) {
         choices.pick(&special)
@@ -42,7 +45,7 @@ fn special(setup: &Setup) -> Vec<Fault> {
         (!setup.nose_radius.is_empty(), Fault::TravelLimitNegative),
         (!setup.nose_radius.is_empty(), Fault::TravelLimitPositive),
         (setup.options.user_task == 1, Fault::UserTaskLevel),
-        (setup.parameters.call_depth == 1, Fault::CallDepth),
+        (setup.parameters.call_depth != 8, Fault::CallDepth),
         (setup.barriers != Setup::default().barriers, Fault::Barrier),
         (!setup.devices.is_empty(), Fault::DeviceNoData),
         (!setup.devices.is_empty(), Fault::ReadPointer),
