@@ -86,9 +86,10 @@ impl Interpreter<'_> {
             Head::Program(Some(name)) => {
                 let mut programs = programs.in_file(name, text);
                 let (id, program) = programs.find(|(_, program)| program.start.at == start.at)?;
-                return Some(Activation::selected(id + 1, program));
+                let program = Program { start: beginning.unwrap_or(start), ..*program };
+                return Some(Activation::selected(id + 1, &program));
             }
-            Head::Program(None) => start,
+            Head::Program(None) => beginning.unwrap_or(start),
             _ => beginning.unwrap_or(start),
         };
         let unnamed = Program { name: Label::default(), text, start, end: end_of_program(reader) };

@@ -188,6 +188,7 @@ impl Interpreter<'_> {
     /// A block with a program name: the own one of the program that runs, or one behind the main program.
     fn begin_named(&mut self, name: Label, start: usize) -> Result<(), Fault> {
         if !self.task.present.is_open() {
+            self.task.present.name = name;
             return Ok(());
         }
         if self.begun {
