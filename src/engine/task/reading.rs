@@ -105,6 +105,9 @@ impl Interpreter<'_> {
         let idle = kept.idle;
         self.count_step(slot, turn)?;
         slot.place.sequence = slot.parsed.sequence;
+        if idle && let Some(name) = slot.parsed.program {
+            self.task.present.name = name;
+        }
         Ok(Some(idle))
     }
 
