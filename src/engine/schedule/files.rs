@@ -7,7 +7,7 @@ use turnspec_oracle::vocabulary::{AlarmName, Label, RuleId};
 
 use crate::engine::Interpreter;
 use crate::engine::fault::Fault;
-use crate::engine::task::{Activation, Head, Program, Scope};
+use crate::engine::task::{Activation, Activity, Head, Program, Scope};
 use crate::engine::text::{Mark, Reader};
 use crate::engine::words::Parsed;
 
@@ -59,7 +59,7 @@ impl Interpreter<'_> {
         let programs = self.programs();
         let mut found = programs.in_file(name, text);
         match (found.next(), found.next()) {
-            (Some((id, program)), None) => Ok(Activation::selected(id + 1, program)),
+            (Some((id, program)), None) => Ok(Activation::new(Activity::Selected, id + 1, program)),
             (Some(_), Some(_)) => Err(Fault::about(AlarmName::ProgramDuplicate, NAME_05, name)),
             (None, _) => Err(Fault::about(AlarmName::ProgramMissing, SDF_08, name)),
         }
@@ -86,14 +86,15 @@ impl Interpreter<'_> {
             Head::Program(Some(name)) => {
                 let mut programs = programs.in_file(name, text);
                 let (id, program) = programs.find(|(_, program)| program.start.at == start.at)?;
-                return Some(Activation::selected(id + 1, program));
+                let program = Program { start: beginning.unwrap_or(start), ..*program };
+                return Some(Activation::new(Activity::Selected, id + 1, &program));
             }
-            Head::Program(None) => start,
+            Head::Program(None) => beginning.unwrap_or(start),
             _ => beginning.unwrap_or(start),
         };
         let unnamed = Program { name: Label::default(), text, start, end: end_of_program(reader) };
         // Behind the labels of the programs with a name, those of one unnamed program a text.
-        Some(Activation::selected(programs.count() + text, &unnamed))
+        Some(Activation::new(Activity::Selected, programs.count() + text, &unnamed))
     }
 
     /// What a program contains.

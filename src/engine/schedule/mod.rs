@@ -8,6 +8,8 @@ mod files;
 mod grammar;
 mod run;
 mod selection;
+#[cfg(test)]
+mod tests;
 
 pub use grammar::Selecting;
 

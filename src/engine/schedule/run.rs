@@ -56,7 +56,9 @@ impl Interpreter<'_> {
         self.place = running.place;
         let action = Action::Select { file, name: program.name, repetition };
         self.emit(sink, const { RuleSet::of(&[SDF_06, SDF_14]) }, action);
+        // Its name is in force from its name block on, as that of a main program.
         self.task.present = program;
+        self.task.present.name = Label::default();
         if repetition > 1 {
             self.task.present.keep_all();
         }

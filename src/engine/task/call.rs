@@ -72,10 +72,9 @@ impl<'a> Interpreter<'a> {
         let caller = self.task.present;
         self.task.frames.push(Frame { caller, back: self.reader.mark(), place: self.place, cause, modal });
         self.task.present = Activation {
-            kind: Activity::Called,
             kept_until: program.end,
             inside: modal.map(|modal| modal.mode).or(caller.inside),
-            ..Activation::selected(id + 1, &program)
+            ..Activation::new(Activity::Called, id + 1, &program)
         };
         self.reader.turn_to(self.task.text(program.text), program.start);
     }

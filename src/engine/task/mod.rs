@@ -68,10 +68,10 @@ pub struct Activation {
 }
 
 impl Activation {
-    /// The beginning of a selected main program, whose sequence names have a place.
-    pub fn selected(labels: usize, program: &Program) -> Self {
+    /// The beginning of a program, whose sequence names have a place.
+    pub fn new(kind: Activity, labels: usize, program: &Program) -> Self {
         let Program { name, text, start, end } = *program;
-        Self { name, kind: Activity::Selected, text, start, end, kept_until: 0, inside: None, labels }
+        Self { name, kind, text, start, end, kept_until: 0, inside: None, labels }
     }
 
     /// Keeps all parsed blocks of the program.
@@ -111,7 +111,7 @@ impl<'a> Task<'a> {
     pub fn new(main: &'a [u8], steps: u64) -> Self {
         let start = Mark { at: 0, line: 1, closed: false };
         let whole = Program { name: Label::default(), text: 0, start, end: usize::MAX };
-        let present = Activation { kind: Activity::Main, ..Activation::selected(0, &whole) };
+        let present = Activation::new(Activity::Main, 0, &whole);
         Self {
             main,
             present,

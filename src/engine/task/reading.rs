@@ -105,6 +105,9 @@ impl Interpreter<'_> {
         let idle = kept.idle;
         self.count_step(slot, turn)?;
         slot.place.sequence = slot.parsed.sequence;
+        if idle && let Some(name) = slot.parsed.program {
+            self.task.present.name = name;
+        }
         Ok(Some(idle))
     }
 
@@ -188,6 +191,7 @@ impl Interpreter<'_> {
     /// A block with a program name: the own one of the program that runs, or one behind the main program.
     fn begin_named(&mut self, name: Label, start: usize) -> Result<(), Fault> {
         if !self.task.present.is_open() {
+            self.task.present.name = name;
             return Ok(());
         }
         if self.begun {
