@@ -190,7 +190,9 @@ fn foreign_words(case: &Case, features: &[Feature]) -> String {
         }
     }
     let programs = has(&Feature::Subprogram) && has(&Feature::ProgramName);
-    let shown = |line: &&str| !(programs && line.starts_with('$'));
+    let schedules = has(&Feature::Schedule);
+    // Headers and the names of files are no words.
+    let shown = |line: &&str| !(programs && line.starts_with('$') || schedules && line.contains("PSELECT"));
     text.lines().filter(shown).find_map(|line| foreign_word(line, features)).unwrap_or_default()
 }
 
@@ -236,7 +238,7 @@ fn foreign_word(line: &str, features: &[Feature]) -> Option<String> {
         Some(rest) if rest.starts_with("OEX") => line,
         Some(_) if !features.contains(&Feature::SequenceName) => return Some(line.to_owned()),
         Some(rest) => rest.trim_start_matches(|character: char| character.is_ascii_alphanumeric()),
-        None if line.starts_with('O') && features.contains(&Feature::ProgramName) => return None,
+        None if line.starts_with(['O', ':']) && features.contains(&Feature::ProgramName) => return None,
         None => line,
     };
     let has = |feature: Feature| features.contains(&feature);

@@ -12,7 +12,8 @@ impl Builder<'_, '_, '_> {
     /// Adds blocks with this fault.
     pub(super) fn control_fault(&mut self, fault: Fault) -> bool {
         let level = self.state.setup.options.user_task;
-        let calls = level == 2 && self.allows(Feature::Subprogram);
+        let names = self.allows(Feature::Subprogram) && self.allows(Feature::ProgramName);
+        let calls = level == 2 && names;
         match fault {
             Fault::ProgramDuplicate if calls => self.duplicate_program(),
             Fault::CallDepth if calls => self.too_deep(),
@@ -21,7 +22,7 @@ impl Builder<'_, '_, '_> {
             Fault::ReturnOutsideSubprogram | Fault::ModoutWithoutModin if !calls => false,
             Fault::ReturnOutsideSubprogram if self.state.control.is_called() => false,
             Fault::ModoutWithoutModin if self.state.control.has_modes() => false,
-            Fault::MacroUnassigned | Fault::ProgramUnknown if level == 1 => false,
+            Fault::MacroUnassigned | Fault::ProgramUnknown if !calls => false,
             Fault::ProgramUnknown if self.choices.chance(30) => self.unknown_macro(),
             Fault::ProgramUnknown if self.choices.chance(20) => self.only_nearly_known(),
             Fault::StepLimit => self.too_many_steps(),

@@ -21,10 +21,25 @@ use crate::setup;
 /// A fault is named by the alarm that it should raise.
 pub(crate) type Fault = AlarmName;
 
+/// Alarms that statements raise in many ways.
+const STATEMENTS: &[Fault] = &[
+    Fault::Format,
+    Fault::Format,
+    Fault::WordWithoutFunction,
+    Fault::StatementMisplaced,
+    Fault::StatementDelimiterMissing,
+    Fault::LocalNameMalformed,
+    Fault::Unspecified,
+    Fault::AngleLookahead,
+];
+
 /// A fault of any family; often one that only a set-up like this one lets happen.
 pub(crate) fn choose(choices: &mut Choices<'_, '_>, setup: &Setup) -> Fault {
     if setup.barriers != Setup::default().barriers && choices.chance(30) {
         return Fault::Barrier;
+    }
+    if choices.chance(8) {
+        return choices.pick(STATEMENTS);
     }
     let special = special(setup);
     if !special.is_empty() && choices.chance(20) {

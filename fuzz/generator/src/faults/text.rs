@@ -112,12 +112,13 @@ impl Builder<'_, '_, '_> {
     }
 
     fn listed(&mut self, fault: Fault) -> bool {
-        let lists = TEXTS.iter().chain(STATEMENTS).filter(|(name, _)| *name == fault);
-        let texts: Vec<&str> = lists.flat_map(|(_, texts)| texts.iter().copied()).collect();
-        if texts.is_empty() {
-            return false;
-        }
-        let text = self.choices.pick(&texts);
+        let list = |list: &[(Fault, &'static [&'static str])]| {
+            list.iter().find(|(name, _)| *name == fault).map(|(_, texts)| *texts)
+        };
+        let (others, statements) = (list(TEXTS), list(STATEMENTS));
+        let preferred = if self.choices.chance(60) { statements.or(others) } else { others.or(statements) };
+        let Some(texts) = preferred else { return false };
+        let text = self.choices.pick(texts);
         let before = !super::is_first(fault)
             && !text.starts_with(['N', '/', 'O', ':', '$'])
             && !is_statement(text)
