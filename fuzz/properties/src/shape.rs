@@ -12,7 +12,7 @@ pub(crate) fn trace(case: &Case) -> Vec<Event> {
 
 /// Whether no statement can lead elsewhere than to the next block, as far as its letters tell.
 pub(crate) fn is_straight(case: &Case) -> bool {
-    const STATEMENTS: [&[u8]; 4] = [b"GOTO", b"IF", b"CALL", b"MODIN"];
+    const STATEMENTS: [&[u8]; 5] = [b"GOTO", b"IF", b"CALL", b"MODIN", b"PSELECT"];
     let text = decode(&case.program, case.setup.tape.code);
     let has = |keyword: &[u8]| text.windows(keyword.len()).any(|window| window == keyword);
     case.setup.macros.is_empty() && !case.setup.schedule && !STATEMENTS.iter().any(|keyword| has(keyword))

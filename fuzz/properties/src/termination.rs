@@ -36,8 +36,8 @@ const MODAL_CALLS: usize = 8;
 /// at most two steps more than ends of block; a block of n characters emits at most 28 + 2⌊n/4⌋ events, and one more if
 /// it is an alarm; and blocks follow the order of the text. With control flow a step takes at least one block, of which
 /// a run begins no more than `limits.steps`; a block has at most 158 characters, and at most eight programs of modal calls
-/// begin behind it. Events are numbered from 1 without a gap, `end` or `alarm` comes last and nowhere else, and a step
-/// after the end does nothing. All this of the oracle and of the engine, on a program of the generator and on the bytes
+/// begin behind it. Events are numbered from 1 without a gap, `end` or `alarm` comes last and nowhere else but at the
+/// end of a program that a schedule has selected, and a step after the end does nothing. All this of the oracle and of the engine, on a program of the generator and on the bytes
 /// as they are.
 ///
 /// Rules: E100L-GOTO-03, E100L-PROG-02, E100L-MCODE-04, E100L-FMT-04, E100L-FMT-05, E100L-FMT-06, E100L-GCODE-04
@@ -100,8 +100,14 @@ fn in_order(events: &[Event], ending: Ending) -> Verdict {
     };
     let last = events.last().and_then(ends);
     require(last == Some(ending), || "the last event is not the ending".to_owned())?;
-    let early = events.iter().rev().skip(1).any(|event| ends(event).is_some());
-    require(!early, || "an ending is not the last event".to_owned())
+    // A schedule goes on behind the M02 or M30 of a program that it selected (E100L-SDF-14).
+    let mut selected = false;
+    for event in events.iter().take(events.len().saturating_sub(1)) {
+        let goes_on = matches!(event.action, Action::End { code } if code.as_str() != "END") && selected;
+        require(ends(event).is_none() || goes_on, || "an ending is not the last event".to_owned())?;
+        selected = !goes_on && (selected || matches!(event.action, Action::Select { .. }));
+    }
+    Ok(())
 }
 
 fn along_the_text(events: &[Event]) -> Verdict {
