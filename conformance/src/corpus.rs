@@ -89,6 +89,8 @@ embedded! {
     "e100l/expressions.json"
     "e100l/functions.json"
     "e100l/variables.json"
+    "e100l/control-statements.json"
+    "e100l/local-variables.json"
     "e100l/coordinates.json"
     "e100l/motion.json"
     "e100l/arcs.json"
@@ -106,6 +108,17 @@ embedded! {
     "e100l/tools.json"
     "e100l/miscellaneous.json"
     "e100l/c-axis.json"
+    "e100l/barriers.json"
+    "e100l/subprograms.json"
+    "e100l/modal-calls.json"
+    "e100l/macros.json"
+    "e100l/communication.json"
+    "e100l/communication-put.json"
+    "e100l/io-variables.json"
+    "e100l/user-alarms.json"
+    "e100l/schedules.json"
+    "e100l/schedules-select.json"
+    "e100l/acceleration.json"
 }
 
 /// The paths of the files of the corpus in this program.

@@ -55,6 +55,11 @@ const PLAIN: &[(&str, &str)] = &[
     ("name", "name"),
     ("number", "number"),
     ("detail", "detail"),
+    ("device", "device"),
+    ("text", "text"),
+    ("end_code", "end_code"),
+    ("file", "file"),
+    ("repetition", "repetition"),
 ];
 const PROGRAM: &[(&str, &str)] = &[("x", "x"), ("z", "z"), ("c", "c"), ("w", "w")];
 const MACHINE: &[(&str, &str)] = &[("x", "mx"), ("z", "mz"), ("c", "mc"), ("w", "mw")];
@@ -237,10 +242,10 @@ impl Fields {
         let inner = match object.get("value") {
             Some(Value::Object(members)) => {
                 let mut known =
-                    ["real", "integer", "length", "angle"].iter().filter_map(|key| members.get(*key));
+                    ["real", "integer", "length", "angle", "text"].iter().filter_map(|key| members.get(*key));
                 match (known.next(), known.next()) {
                     (Some(value), None) => Some(value),
-                    _ => return Err("`value` is not one of real, integer, length, angle".to_owned()),
+                    _ => return Err("`value` is not one of real, integer, length, angle, text".to_owned()),
                 }
             }
             other => other,

@@ -6,14 +6,14 @@ use turnspec_oracle::vocabulary::Label;
 use crate::kani;
 
 /// Most characters of a label.
-const LENGTH: usize = 23;
+const LENGTH: usize = 24;
 
 theorems! {
-    /// A label of any 28 bytes is the label of the first 23: nothing overflows.
+    /// A label of any 29 bytes is the label of the first 24: nothing overflows.
     /// Of: `Label::from_bytes`
-    /// Assumes: 28 bytes.
+    /// Assumes: 29 bytes.
     /// Rules: none (the form of the trace)
-    #[unwind(30)]
+    #[unwind(31)]
     fn a_long_name_is_cut() {
         let bytes: [u8; LENGTH + 5] = kani::any();
         kani::cover!(bytes[LENGTH] != bytes[LENGTH - 1], "a byte that is cut differs from the last one kept");
@@ -24,7 +24,7 @@ theorems! {
     /// Of: `Label::push`
     /// Assumes: any bytes.
     /// Rules: none (the form of the trace)
-    #[unwind(26)]
+    #[unwind(27)]
     fn a_full_label_stays_as_it_is() {
         let bytes: [u8; LENGTH] = kani::any();
         let full = Label::from_bytes(&bytes);
@@ -38,7 +38,7 @@ theorems! {
     /// Of: `Label::push`, `Label::is_empty`
     /// Assumes: any bytes, any length.
     /// Rules: none (the form of the trace)
-    #[unwind(26)]
+    #[unwind(27)]
     fn a_character_is_kept_while_there_is_room() {
         let (bytes, count): ([u8; LENGTH], u8) = (kani::any(), kani::any());
         let count = usize::from(count);
@@ -56,7 +56,7 @@ theorems! {
     /// Of: `Label::from_bytes`
     /// Assumes: any byte.
     /// Rules: none (the form of the trace)
-    #[unwind(26)]
+    #[unwind(27)]
     fn invisible_bytes_become_question_marks() {
         let byte: u8 = kani::any();
         let label = Label::from_bytes(&[byte]);
@@ -69,7 +69,7 @@ theorems! {
     /// Of: `Label::of_code`
     /// Assumes: any codes of 16 bits.
     /// Rules: E100L-GCODE-01, E100L-MCODE-01
-    #[unwind(26)]
+    #[unwind(27)]
     fn labels_tell_codes_apart() {
         let (one, other): (u16, u16) = (kani::any(), kani::any());
         kani::cover!(one < 100 && other >= 100, "two and three digits");
@@ -82,7 +82,7 @@ theorems! {
 
 refutations! {
     /// False: two labels of different bytes differ.
-    #[unwind(26)]
+    #[unwind(27)]
     fn labels_tell_all_bytes_apart() {
         let (one, two): (u8, u8) = (kani::any(), kani::any());
         kani::assume(one != two);

@@ -6,7 +6,7 @@ use turnspec_oracle::vocabulary::{Event, notation};
 
 /// The columns, in order. After the place of the event, its kind, and its fields as compact notation names
 /// them; the feed and its unit are apart.
-pub const COLUMNS: [&str; 47] = [
+pub const COLUMNS: [&str; 52] = [
     "n",
     "line",
     "sequence",
@@ -53,6 +53,11 @@ pub const COLUMNS: [&str; 47] = [
     "value",
     "number",
     "detail",
+    "device",
+    "text",
+    "end_code",
+    "file",
+    "repetition",
     "rules",
 ];
 

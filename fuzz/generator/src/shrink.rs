@@ -263,7 +263,7 @@ fn pieces(program: &[u8]) -> Vec<Vec<u8>> {
 mod tests {
     use super::shrink;
     use crate::case::Case;
-    use turnspec_oracle::vocabulary::{Action, Event, ProgramText, Setup};
+    use turnspec_oracle::vocabulary::Setup;
 
     #[test]
     fn what_does_not_matter_goes() {
@@ -277,24 +277,5 @@ mod tests {
         let small = shrink(Case { setup, program }, fails);
         assert_eq!(small.program, b"X1F");
         assert_eq!(small.setup, Setup::default());
-    }
-
-    #[test]
-    fn programs_of_the_library_come_into_the_text() {
-        let program = b"M08\nCALL O1 AB=1\nM02\n".to_vec();
-        let mut setup = Setup::default();
-        setup.limits.steps = 50;
-        setup.library.insert("B.SUB".to_owned(), ProgramText(b"$B.SUB%\nO2\nRTS".to_vec()));
-        setup.library.insert("A.SUB".to_owned(), ProgramText(b"O1\nM65\nX5\nRTS".to_vec()));
-        let fails = |case: &Case| {
-            let mut calls = 0;
-            turnspec_oracle::run(&case.program, &case.setup, &mut |event: &Event| {
-                calls += usize::from(matches!(event.action, Action::Call { .. }));
-            });
-            calls > 0
-        };
-        let small = shrink(Case { setup, program }, fails);
-        assert_eq!(String::from_utf8_lossy(&small.program), "CALL O1\nO1");
-        assert_eq!((small.setup.library.len(), small.setup.limits.steps), (0, 50));
     }
 }

@@ -90,10 +90,10 @@ features! {
     Rapid "rapid"
     /// G76.
     Rounding "rounding"
-    /// Sequence names.
-    SequenceName "sequence-name"
     /// Schedule programs.
     Schedule "schedule"
+    /// Sequence names.
+    SequenceName "sequence-name"
     /// The main spindle.
     Spindle "spindle"
     /// CALL and RTS.

@@ -124,7 +124,7 @@ mod tests {
         for _ in 0..30 {
             label.push(b'B');
         }
-        assert_eq!(label.as_str(), format!("A?{}", "B".repeat(21)));
+        assert_eq!(label.as_str(), format!("A?{}", "B".repeat(22)));
     }
 
     #[test]

@@ -58,7 +58,7 @@ fn statements_that_are_not_well_formed() {
         ("RTS X1", "format", "RTS-01", ""),
         ("MODOUT/", "statement_delimiter_missing", "CTL-03", "MODOUT"),
         ("MODOUT O1", "format", "MODIN-04", ""),
-        ("READ 'A", "not_modelled", "GCODE-03", "READ"),
+        ("READ 'A", "format", "RDWR-01", ""),
         ("X1 G205", "statement_misplaced", "MACRO-01", "G205"),
         ("M=320+1", "statement_misplaced", "MACRO-02", "M321"),
         ("ABCDE=1", "local_name_malformed", "LVAR-01", "ABCDE"),

@@ -8,7 +8,7 @@ mod validate;
 use std::collections::BTreeMap;
 use std::fmt;
 
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Serialize, Serializer};
 
 use super::{Angle, Duration, Label, Length, ProgramText, Readings, Speed};
 
@@ -79,6 +79,11 @@ table! {
         /// Readings of what the manual leaves open.
         readings: Readings = Readings::default(),
     }
+}
+
+/// A map by number, whose keys are text in a set-up file.
+fn numbered<V: Serialize, S: Serializer>(map: &BTreeMap<u16, V>, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_map(map.iter().map(|(number, value)| (number.to_string(), value)))
 }
 
 /// The control.
@@ -388,10 +393,13 @@ table! {
         /// Whether a sequence restart is in progress (VRSTT).
         restart: bool = false,
         /// Values of input variables VDIN, one a reading, the last one for all that follow; by number.
+        #[serde(serialize_with = "numbered")]
         vdin: BTreeMap<u16, Vec<i32>> = BTreeMap::new(),
         /// Values of input bits VIRD likewise; by I/O bit address.
+        #[serde(serialize_with = "numbered")]
         vird: BTreeMap<u16, Vec<u8>> = BTreeMap::new(),
         /// Values of output bits VORD likewise; by I/O bit address.
+        #[serde(serialize_with = "numbered")]
         vord: BTreeMap<u16, Vec<u8>> = BTreeMap::new(),
     }
 }
