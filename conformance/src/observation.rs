@@ -213,7 +213,8 @@ impl Fields {
 
     /// The words for a way round are shortened; a field that says nothing is left out.
     fn add(&mut self, field: &'static str, text: Option<String>) {
-        let Some(text) = text.filter(|text| !text.is_empty()) else { return };
+        // Characters that are sent may be none at all.
+        let Some(text) = text.filter(|text| !text.is_empty() || field == "text") else { return };
         let text = match (field, text.as_str()) {
             ("sense" | "state", "clockwise") => "cw".to_owned(),
             ("sense" | "state", "counter_clockwise") => "ccw".to_owned(),

@@ -31,7 +31,7 @@ use crate::tape;
 /// | what devices send, the end code, strings and codes of `PUT` | `communication` |
 /// | tool interference data, numbers of tools and tool groups | `system-variable` |
 ///
-/// M02 and M30 are always there. Readings other than the default ones occur with every feature allowed, or on
+/// Schedule programs occur only with every feature allowed. M02 and M30 are always there. Readings other than the default ones occur with every feature allowed, or on
 /// request.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Profile {

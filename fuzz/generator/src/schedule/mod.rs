@@ -56,11 +56,10 @@ enum Construction {
     Loop,
 }
 
-/// Whether a profile has room for schedules.
+/// Whether a profile has room for schedules: what the words of their files need is not told apart from the other features,
+/// so only the one with everything has.
 pub(crate) fn is_within(profile: &Profile) -> bool {
-    [Feature::Schedule, Feature::Subprogram, Feature::ProgramName]
-        .iter()
-        .all(|feature| profile.allows(*feature))
+    profile.is_full()
 }
 
 impl Builder<'_, '_, '_> {
