@@ -81,34 +81,6 @@ pub fn block_text(program: &[u8], code: TapeCode, block: &Place) -> String {
     printable(part(program, start..end.min(program.len())), code).trim_end().to_owned()
 }
 
-/// The lines of a text, made printable one by one.
-pub fn lines(program: &[u8], code: TapeCode) -> impl Iterator<Item = String> {
-    program.split(move |byte| is_line_end(*byte, code)).map(move |line| match code {
-        TapeCode::Eia => line.iter().map(|byte| eia_character(*byte)).collect(),
-        _ => printable(line, code),
-    })
-}
-
-/// The characters `0` to `9` and `A` to `Z` in EIA code (E100L-TAPE-01).
-const EIA: [u8; 36] = [
-    0x20, 0x01, 0x02, 0x13, 0x04, 0x15, 0x16, 0x07, 0x08, 0x19, 0x61, 0x62, 0x73, 0x64, 0x75, 0x76, 0x67,
-    0x68, 0x79, 0x51, 0x52, 0x43, 0x54, 0x45, 0x46, 0x57, 0x58, 0x49, 0x32, 0x23, 0x34, 0x25, 0x26, 0x37,
-    0x38, 0x29,
-];
-
-/// The character of an EIA byte: a letter, a digit, a parenthesis or a blank.
-fn eia_character(byte: u8) -> char {
-    match byte {
-        0x1A => '(',
-        0x4A => ')',
-        _ => EIA
-            .iter()
-            .position(|each| *each == byte)
-            .and_then(|place| char::from_digit(place as u32, 36))
-            .map_or(' ', |each| each.to_ascii_uppercase()),
-    }
-}
-
 /// Number of the block's last line.
 pub fn last_line(program: &[u8], code: TapeCode, block: &Place) -> usize {
     let text = part(program, index(block.start, program)..index(block.end, program));

@@ -2,16 +2,16 @@
 
 use std::collections::BTreeMap;
 
-use turnspec_oracle::vocabulary::{Place, Setup, TapeCode};
+use turnspec_oracle::syntax::{self, Heading};
+use turnspec_oracle::vocabulary::{Label, Place, Setup, TapeCode};
 
-use super::excerpt::lines;
 use super::input::Program;
 
 /// The texts of a run.
 pub struct Sources<'a> {
     main: Source<'a>,
     /// The file of the library that has a program, by the program's name; those of the main text are left out.
-    library: BTreeMap<String, Source<'a>>,
+    library: BTreeMap<Label, Source<'a>>,
     code: TapeCode,
 }
 
@@ -27,18 +27,18 @@ pub struct Source<'a> {
 impl<'a> Sources<'a> {
     /// The texts that a program runs with.
     pub fn new(program: &'a Program, setup: &'a Setup) -> Self {
-        let (main, code) = (Source { name: &program.name, text: &program.text }, setup.tape.code);
+        let main = Source { name: &program.name, text: &program.text };
         let mut library = BTreeMap::new();
         for (name, text) in &setup.library {
             let source = Source { name, text: &text.0 };
-            library.extend(programs(source.text, code).map(|program| (program, source)));
+            library.extend(programs(source.text, setup).into_iter().map(|program| (program, source)));
         }
         if !library.is_empty() {
-            for name in programs(main.text, code) {
+            for name in programs(main.text, setup) {
                 library.remove(&name);
             }
         }
-        Self { main, library, code }
+        Self { main, library, code: setup.tape.code }
     }
 
     /// How the texts are coded.
@@ -49,36 +49,45 @@ impl<'a> Sources<'a> {
     /// The text that a block stands in: the main text, unless a file of the library has the program of the block and
     /// the main text has not.
     pub fn of(&self, block: &Place) -> Source<'a> {
-        self.library.get(block.program.as_str()).copied().unwrap_or(self.main)
+        self.library.get(&block.program).copied().unwrap_or(self.main)
     }
 }
 
-/// The names of the programs of a text, with `O`.
-fn programs(text: &[u8], code: TapeCode) -> impl Iterator<Item = String> {
-    lines(text, code).filter_map(|line| name(&line))
-}
-
-/// The program name with which a line begins, with `O`.
-fn name(line: &str) -> Option<String> {
-    let mut rest = line.trim_start();
-    while let Some((_, behind)) = rest.strip_prefix('(').and_then(|comment| comment.split_once(')')) {
-        rest = behind.trim_start();
+/// The names of the programs of a text, with `O`, as the reference reads them.
+fn programs(text: &[u8], setup: &Setup) -> Vec<Label> {
+    let mut lines = syntax::Source::new(text, setup.tape.code);
+    let mut names = Vec::new();
+    loop {
+        match lines.next_line() {
+            Ok(Some(line)) => {
+                if let Heading::Program(name) = syntax::heading(&line, setup) {
+                    names.extend(name);
+                }
+            }
+            Ok(None) => return names,
+            // A faulty header; what follows is read all the same.
+            Err(_) => {}
+        }
     }
-    let run = rest.strip_prefix(['O', ':'])?;
-    let end = run.find(|each: char| !each.is_ascii_alphanumeric()).unwrap_or(run.len());
-    Some(format!("O{}", run.get(..end)?))
 }
 
 #[cfg(test)]
 mod tests {
-    use super::name;
+    use turnspec_oracle::vocabulary::{Label, Setup};
+
+    use super::programs;
 
     #[test]
     fn a_name_block_begins_with_its_name() {
-        for (line, expected) in
-            [("O10", Some("O10")), (" (A)(B) :10 (C)", Some("O10")), ("N1 O10", None), ("", None)]
-        {
-            assert_eq!(name(line).as_deref(), expected, "{line}");
+        for (text, expected) in [
+            ("O10", Some("O10")),
+            (" (A)(B) :10 (C)", Some("O10")),
+            ("N1 O10", None),
+            ("", None),
+            ("$A.SUB%\nO7\nRTS", Some("O7")),
+        ] {
+            let names = programs(text.as_bytes(), &Setup::default());
+            assert_eq!(names.first().map(Label::as_str), expected, "{text}");
         }
     }
 }

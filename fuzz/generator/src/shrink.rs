@@ -1,5 +1,5 @@
 //! Makes a failing case smaller while it keeps failing: plain code and set-up first, then fewer lines, fewer
-//! words, shorter numbers.
+//! words, shorter numbers, and of a short text anything.
 
 use turnspec_oracle::vocabulary::{Setup, TapeCode};
 
@@ -17,6 +17,7 @@ pub fn shrink(case: Case, mut fails: impl FnMut(&Case) -> bool) -> Case {
         | shrinker.setup()
         | shrinker.words()
         | shrinker.numbers()
+        | shrinker.runs()
     {}
     shrinker.best
 }
@@ -242,7 +243,30 @@ impl Shrinker<'_> {
         }
         smaller
     }
+
+    /// Leaves any run of characters of a short text out, the longest ones first: operands, brackets, comments.
+    fn runs(&mut self) -> bool {
+        for text in 0..self.texts() {
+            let length = self.text(text).len();
+            if length > SHORT {
+                continue;
+            }
+            for run in (1..length).rev() {
+                for place in 0..=length - run {
+                    let mut shorter = self.text(text).to_vec();
+                    shorter.drain(place..place + run);
+                    if self.try_text(text, shorter) {
+                        return true;
+                    }
+                }
+            }
+        }
+        false
+    }
 }
+
+/// The longest text of which every run of characters is tried.
+const SHORT: usize = 20;
 
 /// The words of a program: each begins at a letter that follows no letter, or at an end of block.
 fn pieces(program: &[u8]) -> Vec<Vec<u8>> {
