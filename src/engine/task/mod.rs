@@ -24,6 +24,8 @@ pub use situation::{Holder, Level, Local, Mode, Situation};
 
 use turnspec_oracle::vocabulary::Label;
 
+use crate::engine::arithmetic::steps::Steps;
+
 use call::Frame;
 use kept::Kept;
 use labels::Labels;
@@ -57,7 +59,7 @@ pub struct Task<'a> {
     /// Offset of the name block of the main program, if it has one.
     own_name: Option<usize>,
     /// How many blocks the run may still begin.
-    steps_left: u64,
+    steps: Steps,
     /// The calls that have not returned, outermost first.
     frames: Vec<Frame>,
     modes: Vec<ActiveMode>,
@@ -83,7 +85,7 @@ impl<'a> Task<'a> {
             main,
             present,
             own_name: None,
-            steps_left: steps,
+            steps: Steps::new(steps),
             frames: Vec::new(),
             modes: Vec::new(),
             locals: Locals::default(),

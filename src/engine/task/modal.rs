@@ -4,14 +4,12 @@ use turnspec_oracle::vocabulary::rule_ids::*;
 use turnspec_oracle::vocabulary::{Action, AlarmName, CallCause, Label, RuleSet, Sink};
 
 use crate::engine::Interpreter;
+use crate::engine::arithmetic::modes;
 use crate::engine::fault::Fault;
 
 use super::Task;
 use super::locals::Owner;
 use super::programs::ProgramId;
-
-/// Most modes at a time (E100L-MODIN-05).
-const MOST: usize = 8;
 
 /// A mode that MODIN has begun.
 #[derive(Clone, Copy, Debug)]
@@ -40,15 +38,12 @@ impl Task<'_> {
 
     /// How many modes a motion calls (E100L-MODIN-07, E100L-MODIN-08).
     pub fn modes_to_call(&self) -> u8 {
-        match self.present.inside {
-            Some(mode) => mode.saturating_sub(1),
-            None => self.next_mode() - 1,
-        }
+        modes::to_call(self.modes.len(), self.present.inside)
     }
 
     /// The number of the next mode.
     pub fn next_mode(&self) -> u8 {
-        u8::try_from(self.modes.len().min(MOST)).unwrap_or(0) + 1
+        modes::next(self.modes.len())
     }
 
     /// Whether a mode is active that the present activation has begun.
@@ -68,7 +63,7 @@ impl Interpreter<'_> {
         if self.task.present.inside.is_some() {
             return Err(Fault::about(AlarmName::Unspecified, MODIN_07, word));
         }
-        if self.task.modes.len() >= MOST {
+        if self.task.modes.len() >= modes::MOST {
             return Fault::raise(AlarmName::ModinDepth, MODIN_05);
         }
         let program = self.find_program(name)?;
