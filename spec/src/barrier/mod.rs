@@ -4,7 +4,6 @@
 //! [`mod@line`] and [`arc`] decide whether it enters a [`rectangle`], on exact numbers ([`surd`]).
 
 mod arc;
-mod area;
 mod line;
 mod path;
 mod rectangle;
@@ -18,6 +17,7 @@ pub use watch::Watch;
 use crate::emission::Emission;
 use crate::fault::{Fault, Outcome};
 use crate::frame::Amounts;
+use crate::integer::area::{self, Bounds};
 use crate::path::{Element, Shape};
 use crate::state::State;
 use crate::vocabulary::AlarmName;
@@ -46,8 +46,8 @@ pub fn check(element: &Element, from: Amounts, to: Amounts, state: &State) -> Ou
     Ok(())
 }
 
-fn keep_out(path: &Path, area: &[Rectangle], barrier: &str) -> Outcome<()> {
-    if area.iter().any(|rectangle| path.enters(rectangle)) {
+fn keep_out(path: &Path, area: &[Option<Bounds>], barrier: &str) -> Outcome<()> {
+    if area.iter().flatten().any(|bounds| path.enters(&Rectangle::new(bounds.z, bounds.x))) {
         return Err(Fault::about(AlarmName::Barrier, BARR_01, barrier));
     }
     Ok(())

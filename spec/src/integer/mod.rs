@@ -4,11 +4,14 @@
 //! nor wraps there.
 
 mod amounts;
+pub mod area;
 pub mod between;
 pub mod decimal_code;
 mod digits;
 mod limit;
+pub mod modes;
 pub mod nose;
+pub mod steps;
 pub mod tool;
 pub mod turn;
 

@@ -5,6 +5,7 @@ use std::collections::VecDeque;
 use super::programs::Programs;
 use super::texts::{Read, Spot};
 use crate::fault::{Fault, Outcome};
+use crate::integer::steps;
 use crate::modal::Words;
 use crate::syntax::{Body, Communication, Heading, Item, Statement, heading, parse};
 use crate::task::Activation;
@@ -92,10 +93,8 @@ impl<'a> Reader<'a> {
     /// E100L-GOTO-03: one step more.
     pub fn step(&mut self, block: Place, place: &mut Place) -> Outcome<()> {
         *place = block;
-        if self.steps >= self.setup.limits.steps {
-            return Err(Fault::new(AlarmName::StepLimit, GOTO_03));
-        }
-        self.steps += 1;
+        let next = steps::next(self.steps, self.setup.limits.steps);
+        self.steps = next.ok_or_else(|| Fault::new(AlarmName::StepLimit, GOTO_03))?;
         Ok(())
     }
 

@@ -3,6 +3,7 @@
 
 use super::modal::ModalCalls;
 use crate::fault::{Fault, Outcome, fail};
+use crate::integer::modes;
 use crate::run::{Program, Spot};
 use crate::vocabulary::rule_ids::*;
 use crate::vocabulary::{AlarmName, Label, Place, Setup};
@@ -121,7 +122,7 @@ impl Calls {
 
     /// E100L-MODIN-07: the number of the last mode that a motion calls now, 0 if it calls none.
     pub fn last_to_call(&self) -> usize {
-        self.within_mode().map_or(self.modes.count(), |mode| mode.saturating_sub(1))
+        modes::last_to_call(self.modes.count(), self.within_mode())
     }
 
     /// A motion has triggered the calls of all modes that it can.

@@ -4,6 +4,7 @@
 //! the crate `turnspec-proofs` proves it. Beyond the range of an address, a variable or a limit it is the
 //! control that alarms, before these functions are reached.
 
+pub mod area;
 pub mod decimal_code;
 pub mod digits;
 pub mod feed;
@@ -11,13 +12,18 @@ pub mod frame;
 pub mod idle;
 pub mod limit;
 pub mod meeting;
+pub mod modes;
 pub mod nose;
 pub mod plane;
+pub mod rectangle;
 pub mod root;
 pub mod round;
 pub mod scale;
+pub mod segment;
+pub mod sequence_name;
 pub mod span;
 pub mod speed;
+pub mod steps;
 pub mod surd;
 pub mod tool;
 pub mod turn;

@@ -9,10 +9,9 @@ use std::cmp::Ordering;
 use turnspec_oracle::vocabulary::Sense;
 
 use crate::engine::arithmetic::plane::{Direction, Point, bounded, difference, dot, square, tangent};
+use crate::engine::arithmetic::rectangle::Rectangle;
 use crate::engine::arithmetic::surd::sign;
 use crate::engine::planted::{self, Bug};
-
-use super::rectangle::Rectangle;
 
 /// The path of an arc: on the circle through its start up to the ray from the centre through its end, and the
 /// end itself.

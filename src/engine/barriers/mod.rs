@@ -2,9 +2,6 @@
 //! E100L-BARR-01, E100L-BARR-04, E100L-BARR-07 to E100L-BARR-09).
 
 mod arc;
-mod area;
-mod line;
-mod rectangle;
 mod watch;
 
 pub use watch::Watch;
@@ -15,13 +12,14 @@ use turnspec_oracle::vocabulary::{AlarmName, BarrierPath, Label, ReadingSet};
 use super::Interpreter;
 use super::arithmetic::frame::to_program;
 use super::arithmetic::plane::Point;
+use super::arithmetic::rectangle::Rectangle;
+use super::arithmetic::{area, segment};
 use super::cite::{self, Cites};
 use super::fault::Fault;
 use super::motion::Kind;
 use super::planted::{self, Bug};
 use super::state::{Amounts, X, Z};
 use arc::Sweep;
-use rectangle::Rectangle;
 
 /// What of a motion is tested.
 enum Path {
@@ -52,7 +50,7 @@ impl Path {
         area.iter().flatten().any(|Rectangle { z, x }| {
             let [z, x] = [z, x].map(|(low, high)| (low - edge, high + edge));
             match self {
-                Self::Line(from, to) => line::enters(*from, *to, &Rectangle { z, x }),
+                Self::Line(from, to) => segment::enters(*from, *to, &Rectangle { z, x }),
                 Self::Arc(sweep) => sweep.enters(&Rectangle { z, x }),
             }
         })

@@ -4,7 +4,7 @@ use std::iter::Peekable;
 
 use turnspec_oracle::vocabulary::Label;
 
-use crate::engine::names;
+use crate::engine::arithmetic::sequence_name;
 use crate::engine::parse::is_name;
 use crate::engine::planted::{self, Bug};
 use crate::engine::text::{Class, Lenient, class};
@@ -85,7 +85,7 @@ fn skip_slash(rest: &mut Peekable<Lenient>) -> bool {
 
 /// The number of a valid sequence name without its `N`.
 pub fn number(name: &[u8]) -> u32 {
-    u32::try_from(names::index(name)).unwrap_or(u32::MAX)
+    u32::try_from(sequence_name::index(name)).unwrap_or(u32::MAX)
 }
 
 /// The first characters of a run of letters and digits.

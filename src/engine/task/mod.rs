@@ -26,6 +26,7 @@ pub use situation::{Holder, Level, Local, Mode, Situation};
 
 use turnspec_oracle::vocabulary::Label;
 
+use super::arithmetic::steps::Steps;
 use super::planted::{self, Bug};
 use super::text::Mark;
 use call::Frame;
@@ -95,7 +96,7 @@ pub struct Task<'a> {
     /// Offset of the name block of the main program, if it has one.
     own_name: Option<usize>,
     /// How many blocks the run may still begin.
-    steps_left: u64,
+    steps: Steps,
     /// The calls that have not returned, outermost first.
     frames: Vec<Frame>,
     modes: Vec<ActiveMode>,
@@ -116,7 +117,7 @@ impl<'a> Task<'a> {
             main,
             present,
             own_name: None,
-            steps_left: steps.saturating_add(u64::from(planted::is(Bug::OneStepMore))),
+            steps: Steps::new(steps.saturating_add(u64::from(planted::is(Bug::OneStepMore)))),
             frames: Vec::new(),
             modes: Vec::new(),
             locals: Locals::default(),
@@ -128,7 +129,7 @@ impl<'a> Task<'a> {
 
     /// Counts no steps, or more than there can be.
     pub fn count_no_steps(&mut self) {
-        self.steps_left = u64::MAX;
+        self.steps = Steps::new(u64::MAX);
     }
 
     /// A text by its number.

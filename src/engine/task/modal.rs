@@ -4,15 +4,13 @@ use turnspec_oracle::vocabulary::rule_ids::*;
 use turnspec_oracle::vocabulary::{Action, AlarmName, CallCause, Label, RuleSet, Sink};
 
 use crate::engine::Interpreter;
+use crate::engine::arithmetic::modes;
 use crate::engine::fault::Fault;
 use crate::engine::planted::{self, Bug};
 
 use super::Task;
 use super::locals::Owner;
 use super::programs::ProgramId;
-
-/// Most modes at a time (E100L-MODIN-05).
-const MOST: usize = 8;
 
 /// A mode that MODIN has begun.
 #[derive(Clone, Copy, Debug)]
@@ -41,15 +39,13 @@ impl Task<'_> {
 
     /// How many modes a motion calls (E100L-MODIN-07, E100L-MODIN-08).
     pub fn modes_to_call(&self) -> u8 {
-        match self.present.inside {
-            Some(mode) => mode.saturating_sub(u8::from(!planted::is(Bug::ModeCallsItself))),
-            None => self.next_mode() - 1,
-        }
+        let more = u8::from(planted::is(Bug::ModeCallsItself));
+        modes::to_call(self.modes.len(), self.present.inside.map(|mode| mode.saturating_add(more)))
     }
 
     /// The number of the next mode.
     pub fn next_mode(&self) -> u8 {
-        u8::try_from(self.modes.len().min(MOST)).unwrap_or(0) + 1
+        modes::next(self.modes.len())
     }
 
     /// Whether a mode is active that the present activation has begun.
@@ -69,7 +65,7 @@ impl Interpreter<'_> {
         if self.task.present.inside.is_some() {
             return Err(Fault::about(AlarmName::Unspecified, MODIN_07, word));
         }
-        if self.task.modes.len() >= MOST + usize::from(planted::is(Bug::NineModes)) {
+        if self.task.modes.len() >= modes::MOST + usize::from(planted::is(Bug::NineModes)) {
             return Fault::raise(AlarmName::ModinDepth, MODIN_05);
         }
         let program = self.find_program(name)?;

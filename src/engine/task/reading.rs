@@ -118,20 +118,13 @@ impl Interpreter<'_> {
             slot.passed += 1;
             return Ok(());
         }
-        match self.task.steps_left.checked_sub(1) {
-            Some(left) => {
-                self.task.steps_left = left;
-                Ok(())
-            }
-            None => Fault::raise(AlarmName::StepLimit, GOTO_03),
-        }
+        if self.task.steps.take(1) { Ok(()) } else { Fault::raise(AlarmName::StepLimit, GOTO_03) }
     }
 
     /// The run arrives at a block that was read before its turn, by way of those that were passed then.
     pub(in crate::engine) fn count_passed(&mut self, slot: &Slot) -> Result<(), Fault> {
         let passed = if planted::is(Bug::AheadNoStep) { 0 } else { slot.passed };
-        if let Some(left) = self.task.steps_left.checked_sub(passed) {
-            self.task.steps_left = left;
+        if self.task.steps.take(passed) {
             return Ok(());
         }
         let mut reader = self.reader.clone();
@@ -140,11 +133,10 @@ impl Interpreter<'_> {
             if reader.is_no_block(lines) {
                 continue;
             }
-            if self.task.steps_left == 0 {
+            if !self.task.steps.take(1) {
                 self.place = self.place_of(lines);
                 break;
             }
-            self.task.steps_left -= 1;
         }
         Fault::raise(AlarmName::StepLimit, GOTO_03)
     }

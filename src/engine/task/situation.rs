@@ -82,7 +82,7 @@ impl Interpreter<'_> {
                 .iter()
                 .map(|mode| Mode { program: mode.name, depth: mode.owner.into() })
                 .collect(),
-            steps_left: task.steps_left,
+            steps_left: task.steps.left(),
         }
     }
 }

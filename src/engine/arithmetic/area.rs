@@ -1,5 +1,5 @@
-//! The areas of chuck and tailstock from their data (E100L-BARR-02, E100L-BARR-03). Sizes are below 2^34,
-//! positions at most that; no sum of theirs comes near 2^63.
+//! The areas of chuck and tailstock from their data (E100L-BARR-02, E100L-BARR-03). Sizes are 0 to 2^60,
+//! positions at most 2^60 in size.
 
 use turnspec_oracle::vocabulary::Barriers;
 
@@ -7,10 +7,11 @@ use crate::engine::planted::{self, Bug};
 
 use super::rectangle::Rectangle;
 
-/// The data that a program can change, as [`crate::engine::system::SystemVariable::Barrier`] numbers them.
-type Variables = [i64; 8];
+/// The data that a program can change: VCHKL VCHKD VCHKX VCHKZ VTSL VTSDA VTSDB VWKR.
+pub type Variables = [i64; 8];
 
 /// The jaw and its gripping part, each with its image beyond the axis.
+#[must_use]
 pub fn chuck(machine: &Barriers, variables: &Variables) -> [Option<Rectangle>; 4] {
     let [grip_length, grip_height, diameter, front, ..] = *variables;
     let (length, height) = (machine.jaw_length.0, machine.jaw_height.0);
@@ -40,6 +41,7 @@ fn both_sides(z: (i64, i64), diameter: i64, height: i64) -> [Option<Rectangle>; 
 }
 
 /// The three steps, each as far as the rear end.
+#[must_use]
 pub fn tailstock(machine: &Barriers, variables: &Variables) -> [Option<Rectangle>; 3] {
     let [.., front_length, front_diameter, centre_diameter, begin] = *variables;
     let middle = begin + front_length;

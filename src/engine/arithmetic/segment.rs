@@ -2,14 +2,13 @@
 //!
 //! Two convex sets, one of them open, are apart exactly if a line along one of their sides parts them.
 
-use crate::engine::arithmetic::plane::{Point, bounded, cross, difference};
-
+use super::plane::{Point, bounded, cross, difference};
 use super::rectangle::Rectangle;
 
 /// Whether the segment between two points, both included, has a point in the rectangle.
+#[must_use]
 pub fn enters(from: Point, to: Point, rectangle: &Rectangle) -> bool {
-    let beside = |a: i64, b: i64, (low, high): (i64, i64)| a.max(b) <= low || a.min(b) >= high;
-    if beside(from.z, to.z, rectangle.z) || beside(from.x, to.x, rectangle.x) {
+    if is_beside(from, to, rectangle) {
         return false;
     }
     if from == to {
@@ -17,6 +16,19 @@ pub fn enters(from: Point, to: Point, rectangle: &Rectangle) -> bool {
     }
     let along = bounded(difference(to, from));
     let sides = rectangle.corners().map(|corner| cross(along, bounded(difference(corner, from))));
+    straddles(sides)
+}
+
+/// Whether the line of an edge parts a segment from the rectangle.
+#[must_use]
+pub fn is_beside(from: Point, to: Point, rectangle: &Rectangle) -> bool {
+    let beside = |a: i64, b: i64, (low, high): (i64, i64)| a.max(b) <= low || a.min(b) >= high;
+    beside(from.z, to.z, rectangle.z) || beside(from.x, to.x, rectangle.x)
+}
+
+/// Whether corners lie on both sides of a line.
+#[must_use]
+pub fn straddles(sides: [i128; 4]) -> bool {
     sides.iter().any(|side| *side > 0) && sides.iter().any(|side| *side < 0)
 }
 
