@@ -22,6 +22,14 @@ pub const KINDS: &[&str] = &[
     "frame",
     "mode",
     "variable",
+    "call",
+    "return",
+    "output",
+    "message",
+    "select",
+    "wait",
+    "release",
+    "side_end",
     "stop",
     "optional_stop",
     "end",
@@ -60,6 +68,9 @@ const PLAIN: &[(&str, &str)] = &[
     ("end_code", "end_code"),
     ("file", "file"),
     ("repetition", "repetition"),
+    ("p", "p"),
+    ("turret", "turret"),
+    ("saddle", "saddle"),
 ];
 const PROGRAM: &[(&str, &str)] = &[("x", "x"), ("z", "z"), ("c", "c"), ("w", "w")];
 const MACHINE: &[(&str, &str)] = &[("x", "mx"), ("z", "mz"), ("c", "mc"), ("w", "mw")];

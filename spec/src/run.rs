@@ -91,7 +91,7 @@ impl<'a> Run<'a> {
     fn send(&mut self, block: Place, emission: Emission, sink: &mut impl Sink) {
         self.events += 1;
         let Emission { action, rules, readings, .. } = emission;
-        sink.event(&Event { n: self.events, block, rules, readings, action });
+        sink.event(&Event::new(self.events, block, rules, readings, action));
     }
 
     /// Carries out one block: the events that are decided then, in order, each with its place. The place of the
