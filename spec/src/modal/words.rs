@@ -12,7 +12,7 @@ use crate::state::State;
 use crate::syntax::{Address, Item, ItemKind, Value};
 use crate::task;
 use crate::vocabulary::rule_ids::*;
-use crate::vocabulary::{AlarmName, InchConversion, Label, RuleId, Setup};
+use crate::vocabulary::{AlarmName, InchConversion, Label, MachineType, RuleId, Setup};
 
 /// E100L-FMT-06.
 const MOST_M_WORDS: usize = 8;
@@ -137,7 +137,7 @@ fn add(
         return fail(AlarmName::DuplicateAddress, FMT_06);
     }
     let value = match address {
-        Address::Letter(b'G') => return add_g(&given, words),
+        Address::Letter(b'G') => return add_g(&given, state.setup, words),
         Address::Letter(b'M') => return add_m(&given, words),
         Address::Letter(b'F') => {
             words.feed = Some(given.value);
@@ -236,7 +236,7 @@ fn code(given: &Given, highest: i64, rule: RuleId) -> Outcome<u16> {
 }
 
 /// E100L-GTAB-01, E100L-ABS-04, E100L-GCODE-04.
-fn add_g(given: &Given, words: &mut Words) -> Outcome<()> {
+fn add_g(given: &Given, setup: &Setup, words: &mut Words) -> Outcome<()> {
     let code = code(given, 999, ADDR_01)?;
     let detail = Label::of_code(b'G', code);
     let group = match g_code(code) {
@@ -248,6 +248,7 @@ fn add_g(given: &Given, words: &mut Words) -> Outcome<()> {
         GCode::Unspecified => return Err(Fault::about(AlarmName::Unspecified, GTAB_01, detail.as_str())),
         GCode::Unassigned => return fail(AlarmName::GCodeUnassigned, GTAB_01),
     };
+    machine_has(code, setup)?;
     if code == 90 && words.has_g(91) || code == 91 && words.has_g(90) {
         return fail(AlarmName::AbsoluteAndIncremental, ABS_04);
     }
@@ -255,6 +256,15 @@ fn add_g(given: &Given, words: &mut Words) -> Outcome<()> {
         return fail(AlarmName::GCodesConflict, GCODE_04);
     }
     words.g.push(code);
+    Ok(())
+}
+
+/// E100L-MIRR-01: codes of a second turret, on a machine with one.
+fn machine_has(code: u16, setup: &Setup) -> Outcome<()> {
+    if setup.machine.r#type == MachineType::OneTurret && matches!(code, 14 | 111) {
+        let detail = Label::of_code(b'G', code);
+        return Err(Fault::about(AlarmName::TurretMissing, MIRR_01, detail.as_str()));
+    }
     Ok(())
 }
 
@@ -269,9 +279,6 @@ fn add_m(given: &Given, words: &mut Words) -> Outcome<()> {
         MCode::Macro => {
             let detail = Label::of_code(b'M', code);
             return Err(Fault::about(AlarmName::StatementMisplaced, MACRO_02, detail.as_str()));
-        }
-        MCode::Later => {
-            return Err(Fault::about(AlarmName::NotModelled, MTAB_01, Label::of_code(b'M', code).as_str()));
         }
         MCode::Unassigned => return fail(AlarmName::MCodeUnassigned, MTAB_01),
     }
