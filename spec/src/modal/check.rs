@@ -1,6 +1,7 @@
 //! What a block as a whole must satisfy before anything of it is carried out.
 
 use super::compensation;
+use super::machine::check_reference;
 use super::words::Words;
 use crate::controls::e100l::g_codes::{GCode, GGroup, g_code};
 use crate::fault::{Fault, Outcome, fail};
@@ -83,6 +84,7 @@ pub fn check(words: Words, before: Before, state: &State) -> Outcome<Plan> {
     if (words.has_g(96) || words.has_g(97)) && !has_speed {
         return fail(AlarmName::CuttingSpeedMissing, CSS_03);
     }
+    check_reference(&words, modes, setup)?;
     let mut moves = false;
     match one_shot {
         Some(4) => dwell(&words)?,
@@ -298,7 +300,7 @@ fn every_word_has_a_function(
     for other in &words.others {
         let taken = match other.address {
             None => calrg,
-            Some(Address::Letter(letter)) => b"ST".contains(&letter) || letters.contains(&letter),
+            Some(Address::Letter(letter)) => b"PST".contains(&letter) || letters.contains(&letter),
             Some(Address::Extended(name)) => ["SA", "SB"].contains(&name) || extended.contains(&name),
         };
         if !taken {
