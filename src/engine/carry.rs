@@ -1,7 +1,9 @@
 //! Carrying a block out: what comes after what (execution, chapter 5).
 
 use turnspec_oracle::vocabulary::rule_ids::*;
-use turnspec_oracle::vocabulary::{Action, AlarmName, Duration, Ending, FrameCause, Label, RuleSet, Sink};
+use turnspec_oracle::vocabulary::{
+    Action, AlarmName, Duration, Ending, FrameCause, Label, RuleSet, Side, Sink,
+};
 
 use super::Interpreter;
 use super::arithmetic::speed::thousandths;
@@ -10,6 +12,7 @@ use super::block::{Before, OneShot, Plan};
 use super::compensation::Change;
 use super::fault::Fault;
 use super::planted::{self, Bug};
+use super::sides;
 use super::slot::Slot;
 use super::state::{C, StoredFeed, W, X, Z};
 use super::words::{Address, Parsed, Words};
@@ -113,6 +116,12 @@ impl Interpreter<'_> {
                 flag(&mut state.constant_speed, false),
                 with!(CSS_02),
             ),
+            110 | 111 => {
+                let side = sides::side_of(code);
+                let changed = std::mem::replace(&mut state.speed_side, side) != side;
+                let rules = if state.other_turret.is_some() { with!(MIRR_19) } else { with!(AX4_08) };
+                (const { Label::new("css_turret") }, 221 - code, changed, rules)
+            }
             _ => return,
         };
         if changed {
@@ -245,6 +254,7 @@ impl Interpreter<'_> {
             (state.incremental, "dimension", 90, 91, const { RuleSet::of(&[MCODE_04, ABS_01]) }),
             (state.per_minute, "feed_unit", 95, 94, const { RuleSet::of(&[MCODE_04, FEED_01]) }),
             (state.constant_speed, "cutting_speed", 97, 96, const { RuleSet::of(&[MCODE_04]) }),
+            (state.speed_side == Side::B, "css_turret", 110, 111, const { RuleSet::of(&[MCODE_04]) }),
             (droop, "droop", 64, 65, const { RuleSet::of(&[MCODE_04]) }),
             (
                 state.compensation != 40,
@@ -260,8 +270,11 @@ impl Interpreter<'_> {
                 self.emit_mode(sink, Label::new(group), code, previous, rules);
             }
         }
+        self.reset_turret(sink);
+        const SHIFT: RuleSet = RuleSet::of(&[G50_05, SVAR_02]);
         if std::mem::take(&mut self.state.zero_shift) != [0; 4] {
-            self.emit_frame(sink, FrameCause::ZeroShift, const { RuleSet::of(&[G50_05, SVAR_02]) });
+            self.emit_frame(sink, FrameCause::ZeroShift, SHIFT);
         }
+        self.reset_shift_of_b(SHIFT, sink);
     }
 }

@@ -34,6 +34,7 @@ mod planted;
 #[cfg(feature = "planted-bugs")]
 pub mod planted;
 mod schedule;
+mod sides;
 mod slot;
 mod spindle;
 mod state;
@@ -230,6 +231,10 @@ impl<'a> Interpreter<'a> {
             if let Some(control) = slot.parsed.control {
                 return self.carry_out_statement(&slot.parsed, control, sink);
             }
+            if self.is_turret_block(&slot.parsed) {
+                self.select_turret(&slot.parsed, sink)?;
+                return self.finish_turret_block(sink).map(|()| None);
+            }
             self.inch_block = slot.parsed.has_length && self.units.inch;
             self.evaluate(slot, sink)?;
         }
@@ -243,7 +248,8 @@ impl<'a> Interpreter<'a> {
 
     #[inline(always)]
     fn emit_with(&mut self, sink: &mut impl Sink, rules: RuleSet, readings: ReadingSet, action: Action) {
-        self.hand_over(sink, Event::new(self.ordinal + 1, self.place, rules, readings, action));
+        let event = Event::new(self.ordinal + 1, self.place, rules, readings, action);
+        self.hand_over(sink, self.of_side(event));
     }
 
     /// Hands an event to the sink, or holds it.
