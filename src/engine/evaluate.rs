@@ -69,6 +69,7 @@ impl Interpreter<'_> {
                 words.feed = number;
                 0
             }
+            Address::P => whole(number, 0, 9999, PSYNC_01)?,
             Address::S => whole(number, 0, 65_535, SPD_01)?,
             Address::SB => whole(number, 0, 65_535, SB_01)?,
             Address::QA => whole(number, 1, 1999, CAX_06)?,
@@ -78,7 +79,7 @@ impl Interpreter<'_> {
                 number.whole(1000, Rounding::HalfAway)
             }
             Address::T => self.tool_word(number)?,
-            Address::G | Address::M | Address::P | Address::Q | Address::Calrg => 0,
+            Address::G | Address::M | Address::Q | Address::Calrg => 0,
         };
         words.set(address, value);
         Ok(())
@@ -138,6 +139,9 @@ impl Interpreter<'_> {
             Status::Modelled if matches!(code, 13 | 14) && self.state.other_turret.is_some() => {
                 return Err(Fault::about(AlarmName::Unspecified, MIRR_03, detail()));
             }
+            Status::Modelled if matches!(code, 13 | 14) && self.side.is_some() => {
+                return Err(Fault::about(AlarmName::Unspecified, AX4_03, detail()));
+            }
             Status::Modelled => codes::g_group(code).unwrap_or(GGroup::OneShot),
             Status::Unspecified => return Err(Fault::about(AlarmName::Unspecified, GTAB_01, detail())),
             Status::NotModelled if codes::is_g_macro(code) => {
@@ -173,6 +177,7 @@ impl Interpreter<'_> {
         match code {
             21 if sides::is_double(self.setup) => return about(AlarmName::NotModelled, MCODE_09),
             25 if sides::is_double(self.setup) => return about(AlarmName::NotModelled, MCODE_11),
+            110 if self.side.is_some() => return about(AlarmName::Unspecified, AX4_12),
             110 if self.state.selected == Side::B => return about(AlarmName::Unspecified, MIRR_20),
             _ => {}
         }

@@ -190,6 +190,10 @@ impl Interpreter<'_> {
         if !self.state.constant_speed {
             return None;
         }
+        if self.speed_is_of_other() {
+            *cites = cites.and(cite::AX4_08);
+            return None;
+        }
         let choice = self.spindle_speed(diameter);
         *cites = cites.and(if cuts { cite::CSS_01 } else { cite::CSS_05 });
         match choice.limit {

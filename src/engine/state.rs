@@ -72,6 +72,8 @@ pub struct State {
     pub mirror: i64,
     /// The turret to which the cutting speed refers (G110, G111).
     pub speed_side: Side,
+    /// Program X of the other saddle, when it ran last.
+    pub other_x: i64,
     /// The turret that was selected when the main spindle was started.
     pub spindle_side: Side,
 
@@ -169,6 +171,7 @@ impl State {
             mirror: 1,
             speed_side: Side::A,
             spindle_side: Side::A,
+            other_x: 0,
             motion: 0,
             incremental: false,
             per_minute: false,

@@ -1,8 +1,14 @@
 //! Machines with two turrets or two saddles (E100L-MIRR-01, E100L-AX4-01): the set-up of a side, and the change of
 //! the turret on one saddle.
 
+mod saddles;
+mod sections;
+mod side;
 mod turret;
 
+pub use saddles::Saddles;
+pub use sections::Section;
+pub use side::{Common, SideRun};
 pub use turret::{Turret, nose_radii, tool_offsets};
 
 use turnspec_oracle::vocabulary::{AlarmName, Event, Label, MachineType, Setup, Side, rule_ids};
@@ -23,11 +29,14 @@ pub fn is_double(setup: &Setup) -> bool {
 }
 
 impl Interpreter<'_> {
-    /// An event with its turret, on machines that have more than one.
+    /// An event with its turret or saddle, on machines that have more than one.
     #[inline(always)]
     pub(super) fn of_side(&self, event: Event) -> Event {
         if self.state.other_turret.is_some() {
             return Event { turret: Some(self.state.selected), ..event };
+        }
+        if self.side.is_some() {
+            return Event { saddle: Some(self.state.selected), ..event };
         }
         event
     }
