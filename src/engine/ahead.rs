@@ -61,11 +61,12 @@ impl Interpreter<'_> {
         if let Some(control) = control.filter(|control| !control.is_transfer()) {
             return Err(Fault::about(AlarmName::Unspecified, rule, control.word()));
         }
-        if !found || slot.parsed.has_assignment || control.is_some() {
+        if !found || slot.parsed.has_assignment || control.is_some() || self.is_turret_block(&slot.parsed) {
             self.fault_place = Some(need.place);
             return Err(unfit);
         }
         self.evaluate(slot, sink)?;
+        self.check_common(&slot.words)?;
         let words = &slot.words;
         // The needing block moves, so that nothing is left over of an ended compensation.
         let before = Before { motion, after_angle: need.only_angle, left_over: false };

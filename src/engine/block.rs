@@ -4,6 +4,7 @@ use turnspec_oracle::vocabulary::rule_ids::*;
 use turnspec_oracle::vocabulary::{AlarmName, Chamfering, Label};
 
 use super::Interpreter;
+use super::codes::GGroup;
 use super::compensation::Change;
 use super::fault::Fault;
 use super::planted::{self, Bug};
@@ -69,7 +70,7 @@ impl Plan {
 const AXES: u32 = Address::set(&[Address::X, Address::Z, Address::C, Address::W, Address::A, Address::QA]);
 const ARC: u32 = Address::set(&[Address::I, Address::K, Address::L, Address::Calrg]);
 const IMAGINARY: u32 = Address::set(&[Address::I, Address::K]);
-const ALWAYS: u32 = Address::set(&[Address::F, Address::S, Address::T, Address::SB, Address::SA]);
+const ALWAYS: u32 = Address::set(&[Address::F, Address::S, Address::T, Address::SB, Address::SA, Address::P]);
 const ARC_TAKES: u32 =
     Address::set(&[Address::X, Address::Z, Address::I, Address::K, Address::L, Address::Calrg]);
 const CHAMFER_TAKES: u32 = Address::set(&[Address::X, Address::Z, Address::A, Address::L]);
@@ -100,6 +101,7 @@ impl Interpreter<'_> {
         if speed_mode && (!words.has(Address::S) || one_shot == OneShot::ZeroShift) {
             return Fault::raise(AlarmName::CuttingSpeedMissing, CSS_03);
         }
+        self.check_speed_turret(words)?;
         self.check_one_shot(words, one_shot, motion, after_angle)?;
         let arc = motion >= 2;
         let moving_words = if arc { AXES | ARC } else { AXES };
@@ -118,6 +120,9 @@ impl Interpreter<'_> {
         let compensation = self.compensation_change(words);
         check_functions(words, one_shot, arc, compensation)?;
         self.check_compensation(words, one_shot, (motion, compensation), left_over)?;
+        if words.has_m(100) && words.code_of(GGroup::Compensation).unwrap_or(self.state.compensation) != 40 {
+            return Fault::raise(AlarmName::CompensationNotAllowed, M100_04);
+        }
         let coordinate = words.has(Address::X) || words.has(Address::Z);
         let only_angle = free && !arc && words.has(Address::A) && !coordinate;
         Ok(Plan { one_shot, motion, moves, only_angle, compensation })

@@ -1,7 +1,9 @@
 //! Carrying a block out: what comes after what (execution, chapter 5).
 
 use turnspec_oracle::vocabulary::rule_ids::*;
-use turnspec_oracle::vocabulary::{Action, AlarmName, Duration, Ending, FrameCause, Label, RuleSet, Sink};
+use turnspec_oracle::vocabulary::{
+    Action, AlarmName, Duration, Ending, FrameCause, Label, RuleSet, Side, Sink,
+};
 
 use super::Interpreter;
 use super::arithmetic::speed::thousandths;
@@ -10,15 +12,15 @@ use super::block::{Before, OneShot, Plan};
 use super::compensation::Change;
 use super::fault::Fault;
 use super::planted::{self, Bug};
+use super::sides::{self, Common};
 use super::slot::Slot;
-use super::state::{C, StoredFeed, W, X, Z};
-use super::words::{Address, Parsed, Words};
+use super::state::{Amounts, C, StoredFeed, W, X, Z};
+use super::words::{Address, Words};
 
 impl Interpreter<'_> {
     /// Carries out an evaluated block.
     pub(super) fn carry_out(&mut self, slot: &Slot, sink: &mut impl Sink) -> Result<Option<Ending>, Fault> {
         let Slot { parsed, words, .. } = slot;
-        let parsed: &Parsed = parsed;
         let before = Before {
             motion: self.state.motion,
             after_angle: self.state.angle_target.is_some(),
@@ -53,8 +55,23 @@ impl Interpreter<'_> {
         if plan.compensation != Change::None {
             self.complete_change(sink)?;
         }
+        if self.side.is_some() && self.stop_at_m100(words, plan, sink) {
+            return Ok(None);
+        }
+        self.carry_out_last(slot, plan, from, sink)
+    }
+
+    /// Step 8 of a block, and what comes behind it.
+    pub(super) fn carry_out_last(
+        &mut self,
+        slot: &Slot,
+        plan: Plan,
+        from: Option<Amounts>,
+        sink: &mut impl Sink,
+    ) -> Result<Option<Ending>, Fault> {
+        let Slot { parsed, words, .. } = slot;
         let ending = self.stop(words, sink)?;
-        if ending.is_some() {
+        if ending.is_some() || self.has_ended() {
             return Ok(ending);
         }
         if self.compensation.acts() && !parsed.is_only_name() {
@@ -113,9 +130,17 @@ impl Interpreter<'_> {
                 flag(&mut state.constant_speed, false),
                 with!(CSS_02),
             ),
+            110 | 111 => {
+                let side = sides::side_of(code);
+                let changed = std::mem::replace(&mut state.speed_side, side) != side;
+                let rules = if state.other_turret.is_some() { with!(MIRR_19) } else { with!(AX4_08) };
+                (const { Label::new("css_turret") }, 221 - code, changed, rules)
+            }
             _ => return,
         };
         if changed {
+            let for_both = matches!(code, 96 | 97 | 110 | 111) && self.common() == Common::ForBoth;
+            let rules = if for_both { rules.with(AX4_06) } else { rules };
             self.emit_mode(sink, group, code, previous, rules);
         }
     }
@@ -168,7 +193,7 @@ impl Interpreter<'_> {
                     const RULES: RuleSet = RuleSet::of(&[G50_01, G50_02, G50_03, G50_04]);
                     self.emit_word_frame(sink, FrameCause::ZeroShift, RULES);
                 }
-                if let Some(speed) = words.get(Address::S) {
+                if let Some(speed) = words.get(Address::S).filter(|_| self.common() != Common::Done) {
                     self.state.clamp = Some(thousandths(speed));
                     self.emit_main_spindle(sink, const { RuleSet::of(&[SMAX_02]) }, false, self.state.clamp);
                 }
@@ -218,6 +243,10 @@ impl Interpreter<'_> {
                 if self.compensation.acts() {
                     self.complete_compensation(sink)?;
                 }
+                if self.side.is_some() {
+                    self.end_side(code, sink);
+                    return Ok(None);
+                }
                 if self.schedule.is_running() {
                     return self.end_selected(code, sink).map(|()| None);
                 }
@@ -237,14 +266,23 @@ impl Interpreter<'_> {
     }
 
     /// Reset at the end of the program.
-    fn reset(&mut self, sink: &mut impl Sink) {
+    pub(super) fn reset(&mut self, sink: &mut impl Sink) {
         let state = &self.state;
+        // The reset of saddle A shows what both have in common.
+        let common = self.side.is_none() || state.selected == Side::A;
         let droop = state.droop_control && !planted::is(Bug::ResetForgetsDroop);
         let changes = [
             (state.motion != 0, "motion", 0, state.motion, const { RuleSet::of(&[MCODE_04]) }),
             (state.incremental, "dimension", 90, 91, const { RuleSet::of(&[MCODE_04, ABS_01]) }),
             (state.per_minute, "feed_unit", 95, 94, const { RuleSet::of(&[MCODE_04, FEED_01]) }),
-            (state.constant_speed, "cutting_speed", 97, 96, const { RuleSet::of(&[MCODE_04]) }),
+            (common && state.constant_speed, "cutting_speed", 97, 96, const { RuleSet::of(&[MCODE_04]) }),
+            (
+                common && state.speed_side == Side::B,
+                "css_turret",
+                110,
+                111,
+                const { RuleSet::of(&[MCODE_04]) },
+            ),
             (droop, "droop", 64, 65, const { RuleSet::of(&[MCODE_04]) }),
             (
                 state.compensation != 40,
@@ -260,8 +298,11 @@ impl Interpreter<'_> {
                 self.emit_mode(sink, Label::new(group), code, previous, rules);
             }
         }
+        self.reset_turret(sink);
+        const SHIFT: RuleSet = RuleSet::of(&[G50_05, SVAR_02]);
         if std::mem::take(&mut self.state.zero_shift) != [0; 4] {
-            self.emit_frame(sink, FrameCause::ZeroShift, const { RuleSet::of(&[G50_05, SVAR_02]) });
+            self.emit_frame(sink, FrameCause::ZeroShift, SHIFT);
         }
+        self.reset_shift_of_b(SHIFT, sink);
     }
 }

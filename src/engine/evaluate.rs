@@ -1,7 +1,7 @@
 //! Evaluating a block from left to right (execution, chapter 4): values, repetitions, ranges.
 
 use turnspec_oracle::vocabulary::rule_ids::*;
-use turnspec_oracle::vocabulary::{AlarmName, InchConversion, Label, RuleId, Sink};
+use turnspec_oracle::vocabulary::{AlarmName, InchConversion, Label, RuleId, Side, Sink};
 
 use super::Interpreter;
 use super::arithmetic::round::Rounding;
@@ -12,6 +12,7 @@ use super::fault::Fault;
 use super::functions;
 use super::number::Number;
 use super::planted::{self, Bug};
+use super::sides;
 use super::slot::Slot;
 use super::words::{Address, Code, Function, Item, Operand, Operation, Parsed, Source, Words};
 
@@ -45,7 +46,7 @@ impl Interpreter<'_> {
     fn word(&self, words: &mut Words, address: Address, number: Number) -> Result<(), Fault> {
         match address {
             Address::G => return self.g_word(words, number),
-            Address::M => return m_word(words, number),
+            Address::M => return self.m_word(words, number),
             _ => {}
         }
         let passed = planted::is(Bug::DuplicateFeed) && address == Address::F;
@@ -68,6 +69,7 @@ impl Interpreter<'_> {
                 words.feed = number;
                 0
             }
+            Address::P => whole(number, 0, 9999, PSYNC_01)?,
             Address::S => whole(number, 0, 65_535, SPD_01)?,
             Address::SB => whole(number, 0, 65_535, SB_01)?,
             Address::QA => whole(number, 1, 1999, CAX_06)?,
@@ -77,7 +79,7 @@ impl Interpreter<'_> {
                 number.whole(1000, Rounding::HalfAway)
             }
             Address::T => self.tool_word(number)?,
-            Address::G | Address::M | Address::P | Address::Q | Address::Calrg => 0,
+            Address::G | Address::M | Address::Q | Address::Calrg => 0,
         };
         words.set(address, value);
         Ok(())
@@ -130,6 +132,16 @@ impl Interpreter<'_> {
         let code = code_number(number, 999, ADDR_01)?;
         let detail = || Label::of_code(b'G', code);
         let group = match codes::g_code(code) {
+            Status::Modelled if matches!(code, 14 | 111) && !sides::is_double(self.setup) => {
+                return Err(Fault::about(AlarmName::TurretMissing, MIRR_01, detail()));
+            }
+            // A plain number makes a block of its own.
+            Status::Modelled if matches!(code, 13 | 14) && self.state.other_turret.is_some() => {
+                return Err(Fault::about(AlarmName::Unspecified, MIRR_03, detail()));
+            }
+            Status::Modelled if matches!(code, 13 | 14) && self.side.is_some() => {
+                return Err(Fault::about(AlarmName::Unspecified, AX4_03, detail()));
+            }
             Status::Modelled => codes::g_group(code).unwrap_or(GGroup::OneShot),
             Status::Unspecified => return Err(Fault::about(AlarmName::Unspecified, GTAB_01, detail())),
             Status::NotModelled if codes::is_g_macro(code) => {
@@ -147,6 +159,30 @@ impl Interpreter<'_> {
             } else {
                 Fault::raise(AlarmName::GCodesConflict, GCODE_04)
             };
+        }
+        Ok(())
+    }
+
+    fn m_word(&self, words: &mut Words, number: Number) -> Result<(), Fault> {
+        if !words.has_room_for_m() {
+            return Fault::raise(AlarmName::TooManyM, FMT_06);
+        }
+        let code = code_number(number, 511, MCODE_01)?;
+        let about = |name, rule| Err(Fault::about(name, rule, Label::of_code(b'M', code)));
+        match codes::m_code(code) {
+            Status::Unassigned => return Fault::raise(AlarmName::MCodeUnassigned, MTAB_01),
+            _ if codes::is_m_macro(code) => return about(AlarmName::StatementMisplaced, MACRO_02),
+            _ => {}
+        }
+        match code {
+            21 if sides::is_double(self.setup) => return about(AlarmName::NotModelled, MCODE_09),
+            25 if sides::is_double(self.setup) => return about(AlarmName::NotModelled, MCODE_11),
+            110 if self.side.is_some() => return about(AlarmName::Unspecified, AX4_12),
+            110 if self.state.selected == Side::B => return about(AlarmName::Unspecified, MIRR_20),
+            _ => {}
+        }
+        if !words.add_m(code, codes::m_group_number(code)) {
+            return Fault::raise(AlarmName::MCodesConflict, MCODE_01);
         }
         Ok(())
     }
@@ -220,34 +256,6 @@ pub fn push_number(label: &mut Label, number: u32) {
         push_number(label, number / 10);
     }
     label.push(b'0' + u8::try_from(number % 10).unwrap_or(0));
-}
-
-/// An M word.
-fn m_word(words: &mut Words, number: Number) -> Result<(), Fault> {
-    if !words.has_room_for_m() {
-        return Fault::raise(AlarmName::TooManyM, FMT_06);
-    }
-    let code = code_number(number, 511, MCODE_01)?;
-    match codes::m_code(code) {
-        Status::Modelled => {}
-        Status::Unassigned => return Fault::raise(AlarmName::MCodeUnassigned, MTAB_01),
-        Status::NotModelled if codes::is_m_macro(code) => {
-            let detail = Label::of_code(b'M', code);
-            return Err(Fault::about(AlarmName::StatementMisplaced, MACRO_02, detail));
-        }
-        Status::NotModelled | Status::Unspecified => {
-            let rule = match code {
-                21 => MCODE_09,
-                25 => MCODE_11,
-                _ => MTAB_01,
-            };
-            return Err(Fault::about(AlarmName::NotModelled, rule, Label::of_code(b'M', code)));
-        }
-    }
-    if !words.add_m(code, codes::m_group_number(code)) {
-        return Fault::raise(AlarmName::MCodesConflict, MCODE_01);
-    }
-    Ok(())
 }
 
 #[inline]

@@ -11,6 +11,7 @@ use super::block::Plan;
 use super::codes;
 use super::fault::Fault;
 use super::planted::{self, Bug};
+use super::sides::Common;
 use super::spindle::answer;
 use super::words::Words;
 
@@ -62,6 +63,10 @@ impl Interpreter<'_> {
                 continue;
             }
             let checked = self.state.check_times && code != 124;
+            let common = matches!(code, 3 | 4 | 5 | 19 | 40..=44);
+            if common && self.common() == Common::Done || code == 100 && !self.is_alone() {
+                continue;
+            }
             self.m_code(code, words, plan, sink)?;
             let stm = &self.setup.stm;
             if checked && stm.enabled && stm.m > stm.limit {
@@ -87,12 +92,13 @@ impl Interpreter<'_> {
         match code {
             3 | 4 | 5 | 19 => {
                 let (state, rules) = match code {
-                    3 => (SpindleState::Clockwise, const { RuleSet::of(&[MCODE_05, SPD_04]) }),
-                    4 => (SpindleState::CounterClockwise, const { RuleSet::of(&[MCODE_05, SPD_04]) }),
+                    3 | 4 => (self.start_main(code)?, const { RuleSet::of(&[MCODE_05, SPD_04]) }),
                     5 => (SpindleState::Stop, const { RuleSet::of(&[MCODE_05]) }),
                     _ => (SpindleState::Orient, const { RuleSet::of(&[MCODE_08]) }),
                 };
                 self.state.spindle = state;
+                let mirrored = self.state.mirror < 0 && matches!(code, 3 | 4);
+                let rules = if mirrored { rules.with(MIRR_06) } else { rules };
                 let (rules, with_motion) = answer(words, plan, rules);
                 self.emit_main_spindle(sink, rules, with_motion, None);
             }
@@ -129,6 +135,19 @@ impl Interpreter<'_> {
             }
         }
         Ok(())
+    }
+
+    /// The direction in which M03 and M04 let the main spindle turn: the other one with turret B of a saddle
+    /// (E100L-MIRR-06, E100L-MIRR-08).
+    fn start_main(&mut self, code: u16) -> Result<SpindleState, Fault> {
+        let clockwise = (code == 3) == (self.state.mirror > 0);
+        let wanted = if clockwise { SpindleState::Clockwise } else { SpindleState::CounterClockwise };
+        let turns = matches!(self.state.spindle, SpindleState::Clockwise | SpindleState::CounterClockwise);
+        if turns && self.state.spindle != wanted && self.state.spindle_side != self.state.selected {
+            return Fault::raise(AlarmName::TurretChange, MIRR_08);
+        }
+        self.state.spindle_side = self.state.selected;
+        Ok(wanted)
     }
 
     /// M12, M13 and M14; the tool turns only while the C axis is joined, or released from that.

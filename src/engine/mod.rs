@@ -34,6 +34,7 @@ mod planted;
 #[cfg(feature = "planted-bugs")]
 pub mod planted;
 mod schedule;
+mod sides;
 mod slot;
 mod spindle;
 mod state;
@@ -46,7 +47,8 @@ mod variables;
 mod words;
 
 use turnspec_oracle::vocabulary::{
-    Action, Alarm, AlarmName, Ending, Event, Place, Reading, ReadingSet, Readings, RuleSet, Setup, Sink,
+    Action, Alarm, AlarmName, Ending, Event, MachineType, Place, Reading, ReadingSet, Readings, RuleSet,
+    Setup, Sink,
 };
 
 pub use exact::SlowPaths;
@@ -62,6 +64,7 @@ use names::Names;
 use parse::Options;
 use planted::Bug;
 use schedule::Schedule;
+use sides::{Saddles, SideRun};
 use slot::Slot;
 use state::State;
 use task::{Task, Turn};
@@ -96,6 +99,10 @@ pub struct Interpreter<'a> {
     compensation: Compensation,
     communication: Communication<'a>,
     schedule: Schedule,
+    /// What makes this run that of one of two saddles.
+    side: Option<Box<SideRun>>,
+    /// The runs of both saddles, of which this run is the whole.
+    saddles: Option<Box<Saddles<'a>>>,
     ordinal: u64,
     ending: Option<Ending>,
     cites: CiteCache,
@@ -142,7 +149,18 @@ impl<'a> Interpreter<'a> {
     /// Prepares a run of a program on a valid set-up.
     #[must_use]
     pub fn new(program: &'a [u8], setup: &'a Setup) -> Self {
-        let mut interpreter = Self {
+        let mut interpreter = Self::one(program, setup);
+        if setup.machine.r#type == MachineType::TwoSaddles {
+            interpreter.saddles = Some(Box::new(Saddles::new(program, setup)));
+        } else if setup.schedule && !interpreter.reader.has_header() {
+            interpreter.begin_schedule();
+        }
+        interpreter
+    }
+
+    /// The run of one saddle.
+    fn one(program: &'a [u8], setup: &'a Setup) -> Self {
+        Self {
             setup,
             units: Units::new(setup.unit_system),
             scales: Scales::new(setup),
@@ -162,17 +180,15 @@ impl<'a> Interpreter<'a> {
             compensation: Compensation::default(),
             communication: Communication::default(),
             schedule: Schedule::default(),
+            side: None,
+            saddles: None,
             ordinal: 0,
             ending: None,
             cites: CiteCache::default(),
             slow: SlowPaths::default(),
             buffer: Vec::new(),
             stack: Vec::new(),
-        };
-        if setup.schedule && !interpreter.reader.has_header() {
-            interpreter.begin_schedule();
         }
-        interpreter
     }
 
     /// Carries out the next block; its events go to the sink. `Some` when the run has ended.
@@ -180,26 +196,33 @@ impl<'a> Interpreter<'a> {
         if self.ending.is_some() {
             return self.ending;
         }
+        if let Some(saddles) = &mut self.saddles {
+            self.ending = saddles.step(sink);
+            return self.ending;
+        }
         let mut slot = self.current.take().unwrap_or_default();
         let result = self.next_block(&mut slot, sink);
         self.current = Some(slot);
         match result {
             Ok(ending) => self.ending = ending,
-            Err(fault) => {
-                if let Some(place) = self.fault_place {
-                    self.place = place;
-                }
-                self.compensation.drop_held();
-                let alarm = Alarm::about(fault.name, fault.detail);
-                let reading = match fault.name {
-                    AlarmName::UserAlarmC => self.known.user_alarm_c,
-                    _ => ReadingSet::default(),
-                };
-                self.emit_with(sink, RuleSet::of(&[fault.rule]), reading, Action::Alarm(alarm));
-                self.ending = Some(Ending::Alarm);
-            }
+            Err(fault) => self.ending = Some(self.fail(fault, sink)),
         }
         self.ending
+    }
+
+    /// Raises an alarm, which ends the run.
+    fn fail(&mut self, fault: Fault, sink: &mut impl Sink) -> Ending {
+        if let Some(place) = self.fault_place {
+            self.place = place;
+        }
+        self.compensation.drop_held();
+        let alarm = Alarm::about(fault.name, fault.detail);
+        let reading = match fault.name {
+            AlarmName::UserAlarmC => self.known.user_alarm_c,
+            _ => ReadingSet::default(),
+        };
+        self.emit_with(sink, RuleSet::of(&[fault.rule]), reading, Action::Alarm(alarm));
+        Ending::Alarm
     }
 
     /// How often exact integers had to decide because `f64` left a result in doubt.
@@ -209,6 +232,9 @@ impl<'a> Interpreter<'a> {
     }
 
     fn next_block(&mut self, slot: &mut Slot, sink: &mut impl Sink) -> Result<Option<Ending>, Fault> {
+        if self.side.is_some() && self.resume(slot, sink)? {
+            return Ok(None);
+        }
         if self.compensation.acts() {
             self.compensation.begin_block();
         }
@@ -217,6 +243,7 @@ impl<'a> Interpreter<'a> {
             self.ahead.swap(0, 1);
             self.ahead_count -= 1;
             self.place = slot.place;
+            self.note_block(slot);
             self.count_passed(slot)?;
             if !planted::is(Bug::NextInchStale) {
                 self.inch_block = slot.parsed.has_length && self.units.inch;
@@ -224,14 +251,27 @@ impl<'a> Interpreter<'a> {
         } else {
             let found = self.read(slot, Turn::Now);
             self.place = slot.place;
+            if self.side.is_some() {
+                if found.as_ref().is_ok_and(|found| !found) {
+                    return self.run_out(sink).map(|()| None);
+                }
+                self.note_block(slot);
+            }
             if !found? {
                 return Err(self.end_missing());
             }
             if let Some(control) = slot.parsed.control {
                 return self.carry_out_statement(&slot.parsed, control, sink);
             }
+            if self.is_turret_block(&slot.parsed) {
+                self.select_turret(&slot.parsed, sink)?;
+                return self.finish_turret_block(sink).map(|()| None);
+            }
             self.inch_block = slot.parsed.has_length && self.units.inch;
             self.evaluate(slot, sink)?;
+            if self.side.is_some() && self.stop_at_p(&slot.words, sink)? {
+                return Ok(None);
+            }
         }
         self.carry_out(slot, sink)
     }
@@ -243,7 +283,8 @@ impl<'a> Interpreter<'a> {
 
     #[inline(always)]
     fn emit_with(&mut self, sink: &mut impl Sink, rules: RuleSet, readings: ReadingSet, action: Action) {
-        self.hand_over(sink, Event::new(self.ordinal + 1, self.place, rules, readings, action));
+        let event = Event::new(self.ordinal + 1, self.place, rules, readings, action);
+        self.hand_over(sink, self.of_side(event));
     }
 
     /// Hands an event to the sink, or holds it.
@@ -271,7 +312,10 @@ pub fn run(program: &[u8], setup: &Setup, sink: &mut impl Sink) -> Ending {
 /// evaluated or carried out.
 #[must_use]
 pub fn count_blocks(program: &[u8], setup: &Setup) -> u64 {
-    let mut interpreter = Interpreter::new(program, setup);
+    let mut interpreter = Interpreter::one(program, setup);
+    if setup.schedule && !interpreter.reader.has_header() {
+        interpreter.begin_schedule();
+    }
     interpreter.task.count_no_steps();
     let mut slot = Slot::default();
     let mut blocks = 0;

@@ -9,7 +9,7 @@ use turnspec_oracle::vocabulary::{
 use super::Interpreter;
 use super::arithmetic::feed::{self, Measure};
 use super::arithmetic::frame::{coordinate, to_machine};
-use super::arithmetic::limit::{Limited, in_range, limited};
+use super::arithmetic::limit::{Limited, in_range};
 use super::arithmetic::root::root_over;
 use super::arithmetic::turn;
 use super::cite::{self, Cites};
@@ -158,7 +158,7 @@ impl Interpreter<'_> {
         let program_x = self.state.program(X);
         let mut motion = Motion {
             program: self.position(program_x, self.state.program(Z), |axis| self.state.program(axis)),
-            machine: self.position(end[X], end[Z], |axis| end[axis]),
+            machine: self.position(self.state.mirror * end[X], end[Z], |axis| end[axis]),
             c_travel: turn.map(|turn| Angle(turn.travel)),
             speed: None,
             tip: None,
@@ -190,6 +190,10 @@ impl Interpreter<'_> {
         if !self.state.constant_speed {
             return None;
         }
+        if self.speed_is_of_other() {
+            *cites = cites.and(cite::AX4_08);
+            return None;
+        }
         let choice = self.spindle_speed(diameter);
         *cites = cites.and(if cuts { cite::CSS_01 } else { cite::CSS_05 });
         match choice.limit {
@@ -213,6 +217,7 @@ impl Interpreter<'_> {
         cites: &mut Cites,
         readings: &mut ReadingSet,
     ) -> Action {
+        *cites = cites.and_if(self.state.mirror < 0, cite::MIRR_05);
         match (kind, feed) {
             (Kind::Arc { sense, centre_x, centre_z }, Some(feed)) => {
                 Action::Arc { motion, feed, sense, centre_x: Length(centre_x), centre_z: Length(centre_z) }
@@ -245,7 +250,7 @@ impl Interpreter<'_> {
     /// Applies the limits of an axis to a machine coordinate; true when it was replaced.
     #[inline]
     pub(super) fn limit(&self, axis: usize, machine: &mut i64, is_arc: bool) -> Result<bool, Fault> {
-        match limited(*machine, self.state.negative_limits[axis], self.state.positive_limits[axis]) {
+        match self.state.limited(axis, *machine) {
             Limited::Within if planted::is(Bug::LimitInclusive) => {
                 Ok(self.state.positive_limits[axis] == Some(*machine))
             }

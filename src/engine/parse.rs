@@ -1,7 +1,7 @@
 //! The grammar of a block, from left to right (execution, sections 2 and 3): the leftmost fault decides.
 
 use turnspec_oracle::vocabulary::rule_ids::*;
-use turnspec_oracle::vocabulary::{AlarmName, Label, RuleId, Setup};
+use turnspec_oracle::vocabulary::{AlarmName, Label, MachineType, RuleId, Setup};
 
 use super::fault::Fault;
 use super::planted::{self, Bug};
@@ -17,6 +17,8 @@ pub struct Options {
     pub w_axis: bool,
     /// Whether boolean operators, functions and calls are refused when evaluated.
     pub level_one: bool,
+    /// Whether the program is for two saddles: with P, and without variables and statements (E100L-AX4-12).
+    pub two_saddles: bool,
     /// Whether the block is a VSET block.
     pub setting: bool,
 }
@@ -28,6 +30,7 @@ impl Options {
             block_delete: setup.switches.block_delete,
             w_axis: setup.options.w_axis,
             level_one: setup.options.user_task < 2,
+            two_saddles: setup.machine.r#type == MachineType::TwoSaddles,
             setting: false,
         }
     }
@@ -48,6 +51,14 @@ pub struct Parser<'t> {
 }
 
 impl Parser<'_> {
+    /// What the manual does not tell of two saddles (E100L-AX4-12).
+    pub(super) fn refuse_on_two_saddles(&self, detail: Label) -> Result<(), Fault> {
+        if self.options.two_saddles {
+            return Err(Fault::about(AlarmName::Unspecified, AX4_12, detail));
+        }
+        Ok(())
+    }
+
     /// The character at a place; none at the end of the block.
     #[inline]
     pub fn peek(&self) -> Option<u8> {

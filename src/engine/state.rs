@@ -1,12 +1,14 @@
 //! What a control remembers from block to block.
 
 use turnspec_oracle::vocabulary::{
-    CuttingSpeed, FeedUnit, Length, Limit, Setup, SpindleState, ToolOffsetSign,
+    CuttingSpeed, FeedUnit, Length, Limit, Setup, Side, SpindleState, ToolOffsetSign,
 };
 
+use super::arithmetic::limit::{self, Limited};
 use super::arithmetic::{frame, turn};
 use super::barriers::Watch;
 use super::planted::{self, Bug};
+use super::sides::{Turret, nose_radii, tool_offsets};
 use super::tool_data::{self, ToolTable};
 
 /// Amounts of the four axes in nanometres and micro-degrees, X as a diameter; by [`super::system::Axis`].
@@ -44,7 +46,7 @@ pub struct Base {
 /// The whole state; every amount is exact.
 #[derive(Clone, Debug)]
 pub struct State {
-    /// Machine position of the programmed point; C in [0, 360).
+    /// Machine position of the programmed point; C in [0, 360). X is that of [`Self::mirror`].
     pub machine: Amounts,
     pub zero_offset: Amounts,
     pub zero_shift: Amounts,
@@ -61,6 +63,19 @@ pub struct State {
     pub pitches: [i64; 2],
     pub tool_data: ToolTable,
     pub common: Box<[f64; 201]>,
+
+    /// The turret, or the saddle, that acts.
+    pub selected: Side,
+    /// The data of the other turret, on a saddle that has two.
+    pub other_turret: Option<Box<Turret>>,
+    /// 1, or −1 with turret B of a saddle: machine X is this times [`Self::machine`] (E100L-MIRR-05).
+    pub mirror: i64,
+    /// The turret to which the cutting speed refers (G110, G111).
+    pub speed_side: Side,
+    /// Program X of the other saddle, when it ran last.
+    pub other_x: i64,
+    /// The turret that was selected when the main spindle was started.
+    pub spindle_side: Side,
 
     /// G00 to G03.
     pub motion: u16,
@@ -110,18 +125,6 @@ pub struct State {
 impl State {
     /// The state at power-on.
     pub fn new(setup: &Setup) -> Self {
-        let mut tool_offsets = [[0; 2]; TABLE];
-        for entry in &setup.tool_offset {
-            if let Some(slot) = tool_offsets.get_mut(usize::from(entry.number)) {
-                *slot = [entry.x.0, entry.z.0];
-            }
-        }
-        let mut nose_radii = [[0; 2]; TABLE];
-        for entry in &setup.nose_radius {
-            if let Some(slot) = nose_radii.get_mut(usize::from(entry.number)) {
-                *slot = [entry.x.0, entry.z.0];
-            }
-        }
         let mut common = Box::new([0.0; 201]);
         for (name, value) in &setup.variables {
             let number = name.strip_prefix('V').and_then(|digits| digits.parse::<usize>().ok());
@@ -142,8 +145,8 @@ impl State {
                 setup.zero_offset.w.0,
             ],
             zero_shift: [0; 4],
-            tool_offsets,
-            nose_radii,
+            tool_offsets: tool_offsets(&setup.tool_offset),
+            nose_radii: nose_radii(&setup.nose_radius),
             offset_sign: if setup.readings.tool_offset == ToolOffsetSign::Added { 1 } else { -1 },
             positive_limits: axes.map(|limit| metres(limit.positive)),
             negative_limits: axes.map(|limit| metres(limit.negative)),
@@ -163,6 +166,12 @@ impl State {
             pitches: [0; 2],
             tool_data: tool_data::table(setup),
             common,
+            selected: Side::A,
+            other_turret: Turret::other(setup),
+            mirror: 1,
+            speed_side: Side::A,
+            spindle_side: Side::A,
+            other_x: 0,
             motion: 0,
             incremental: false,
             per_minute: false,
@@ -216,6 +225,16 @@ impl State {
     pub fn program(&self, axis: usize) -> i64 {
         let value = frame::to_program(self.machine[axis], self.frame(axis));
         if axis == C { turn::within(value) } else { value }
+    }
+
+    /// What the limits of an axis make of a position: that of [`Self::machine`], as the place of the limit is.
+    #[inline]
+    pub fn limited(&self, axis: usize, position: i64) -> Limited {
+        let sign = if axis == X { self.mirror } else { 1 };
+        match limit::limited(sign * position, self.negative_limits[axis], self.positive_limits[axis]) {
+            Limited::AbovePositive(limit) => Limited::AbovePositive(sign * limit),
+            other => other,
+        }
     }
 
     /// The unit of the feed mode in force.

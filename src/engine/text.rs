@@ -1,11 +1,14 @@
 //! From bytes to blocks of characters: tape codes, lines, continuation lines, the file header
 //! (E100L-TAPE-01, E100L-TAPE-04, E100L-FMT-05).
 
+use std::sync::Arc;
+
 use turnspec_oracle::vocabulary::rule_ids::*;
 use turnspec_oracle::vocabulary::{AlarmName, Label, TapeCode};
 
 use super::fault::Fault;
 use super::planted::{self, Bug};
+use super::sides::Section;
 
 /// Longest block, in characters without LF and CR.
 const LONGEST: usize = 158;
@@ -150,12 +153,15 @@ pub struct Reader<'a> {
     line: u32,
     /// Whether the line before is one that cannot be continued.
     closed: bool,
+    /// The parts of the text that are read, all of it without any, and the offset behind the present one.
+    sections: Arc<[Section]>,
+    limit: usize,
 }
 
 impl<'a> Reader<'a> {
     /// A reader at the beginning of a text.
     pub fn new(bytes: &'a [u8], code: TapeCode) -> Self {
-        Self { bytes, code, at: 0, line: 1, closed: false }
+        Self { bytes, code, at: 0, line: 1, closed: false, sections: Arc::default(), limit: usize::MAX }
     }
 
     /// Where the next block begins.
@@ -172,6 +178,30 @@ impl<'a> Reader<'a> {
     /// Goes on elsewhere in the same text.
     pub fn seek(&mut self, mark: Mark) {
         Mark { at: self.at, line: self.line, closed: self.closed } = mark;
+        if let Some(section) = self.sections.iter().find(|section| mark.at < section.end) {
+            self.limit = section.end;
+        }
+    }
+
+    /// Reads nothing but some sections of the text, from the beginning of the first one.
+    pub fn keep_to(&mut self, sections: &[Section]) {
+        self.sections = sections.iter().copied().filter(|section| section.start.at < section.end).collect();
+        self.limit = 0;
+        match self.sections.first().copied() {
+            Some(first) => self.seek(first.start),
+            None => self.at = usize::MAX,
+        }
+    }
+
+    /// Goes on with the next section; false behind the last one.
+    #[cold]
+    fn next_section(&mut self) -> bool {
+        let next = self.sections.iter().find(|section| section.start.at >= self.limit).copied();
+        if let Some(section) = next {
+            self.seek(section.start);
+            self.limit = section.end;
+        }
+        next.is_some()
     }
 
     /// Goes on in another text of the same code.
@@ -212,6 +242,11 @@ impl<'a> Reader<'a> {
     /// The next line with its continuation lines; none at the end of the text.
     #[inline]
     pub fn next_lines(&mut self) -> Option<Lines> {
+        while self.at >= self.limit {
+            if !self.next_section() {
+                return None;
+            }
+        }
         if self.at >= self.bytes.len() {
             return None;
         }
@@ -272,6 +307,12 @@ impl<'a> Reader<'a> {
             return self.check_header(lines);
         }
         Ok(if self.is_tape_mark(lines) { Kind::Other } else { Kind::Block })
+    }
+
+    /// Whether the file header says that the text is a schedule program; nothing without a header.
+    pub fn is_schedule(&self) -> Option<bool> {
+        let first = self.has_header().then(|| Self::new(self.bytes, self.code).next_lines())??;
+        Some(self.check_header(first) == Ok(Kind::ScheduleHeader))
     }
 
     /// Whether the text begins with a file header.

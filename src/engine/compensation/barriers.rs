@@ -1,7 +1,7 @@
 //! The barriers in radius compensation: they are tested on the path of the programmed point (E100L-BARR-09).
 
 use crate::engine::Interpreter;
-use crate::engine::arithmetic::limit::{Limited, limited};
+use crate::engine::arithmetic::limit::Limited;
 use crate::engine::fault::Fault;
 use crate::engine::motion::Element;
 use crate::engine::state::{Amounts, X, Z};
@@ -32,8 +32,7 @@ impl Interpreter<'_> {
     /// Where a line ends whose positive limits act later, in G40 again.
     fn cut_back(&self, mut end: Amounts) -> Amounts {
         for axis in [X, Z] {
-            let (negative, positive) = (self.state.negative_limits[axis], self.state.positive_limits[axis]);
-            if let Limited::AbovePositive(limit) = limited(end[axis], negative, positive) {
+            if let Limited::AbovePositive(limit) = self.state.limited(axis, end[axis]) {
                 end[axis] = limit;
             }
         }

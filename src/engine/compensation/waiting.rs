@@ -183,17 +183,17 @@ impl Interpreter<'_> {
         let programmed = Point { x: motion.program.x.0, z: motion.program.z.0 };
         let before = std::mem::replace(&mut self.compensation.displacement, tip.minus(programmed));
         if planted::is(Bug::LimitOfProgrammed) {
-            check_limits(end, &waiting.limits)?;
+            check_limits(end, &waiting.limits, self.state.mirror)?;
         }
         if !planted::is(Bug::PathOfProgrammed) {
             displace(&mut start, before);
         }
         displace(&mut end, self.compensation.displacement);
         if !planted::is(Bug::LimitOfProgrammed) {
-            check_limits(end, &waiting.limits)?;
+            check_limits(end, &waiting.limits, self.state.mirror)?;
         }
         let nose = tip.plus(self.compensation.last.to_centre);
-        motion.machine.x = Length(end[X]);
+        motion.machine.x = Length(self.state.mirror * end[X]);
         motion.machine.z = Length(end[Z]);
         motion.tip = Some(position(tip));
         motion.nose = Some(position(nose));
@@ -202,7 +202,8 @@ impl Interpreter<'_> {
         let travel = (waiting.kind, waiting.feed);
         let action = self.action(travel, motion, (&start, &end, waiting.turn), &mut cites, &mut readings);
         let rules = self.cites.rules(cites);
-        self.emit_at_once(sink, Event::new(0, waiting.place, rules, readings, action));
+        let event = Event::new(0, waiting.place, rules, readings, action);
+        self.emit_at_once(sink, self.of_side(event));
         Ok(())
     }
 }
@@ -219,9 +220,9 @@ pub fn position(point: Point) -> PlanePosition {
 }
 
 /// A compensated position beyond a travel limit (E100L-NRC-80).
-fn check_limits(end: Amounts, limits: &Limits) -> Result<(), Fault> {
-    for (axis, (negative, positive)) in [X, Z].into_iter().zip(limits) {
-        match limited(end[axis], *negative, *positive) {
+fn check_limits(end: Amounts, limits: &Limits, mirror: i64) -> Result<(), Fault> {
+    for (machine, (negative, positive)) in [mirror * end[X], end[Z]].into_iter().zip(limits) {
+        match limited(machine, *negative, *positive) {
             Limited::Within => {}
             Limited::AbovePositive(_) => return Fault::raise(AlarmName::TravelLimitPositive, rules::NRC_80),
             Limited::BelowNegative => return Fault::raise(AlarmName::TravelLimitNegative, rules::NRC_80),

@@ -106,6 +106,7 @@ impl Parser<'_> {
             };
         }
         let keyword = Label::from_bytes(name);
+        self.refuse_on_two_saddles(keyword)?;
         self.block.control = match keyword.as_str() {
             "PSELECT" | "VSET" | "END" => {
                 return Err(Fault::about(AlarmName::ScheduleStatement, SDF_02, keyword));

@@ -132,6 +132,16 @@ impl<'a> Task<'a> {
         self.steps = Steps::new(u64::MAX);
     }
 
+    /// How many blocks the run may still begin.
+    pub fn steps_left(&self) -> Steps {
+        self.steps
+    }
+
+    /// Sets how many blocks the run may still begin.
+    pub fn set_steps(&mut self, steps: Steps) {
+        self.steps = steps;
+    }
+
     /// A text by its number.
     pub fn text(&self, number: usize) -> &'a [u8] {
         self.programs.as_ref().map_or(self.main, |programs| programs.text(number))
