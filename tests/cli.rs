@@ -433,6 +433,21 @@ fn a_schedule_selects_main_programs_of_the_library() {
     assert_eq!(kinds, ["select", "rapid", "end", "select", "rapid", "end", "end"]);
 }
 
+/// A program without a name is known by the file that was selected.
+#[test]
+fn an_alarm_of_a_selected_program_shows_its_file() {
+    let folder =
+        Folder::new("selected", &[("day.sdf", "PSELECT A.MIN\nEND\n"), ("a.min", "G00 X10\nG05\nM02\n")]);
+    let (main, library) = (folder.path("day.sdf"), folder.path(""));
+    for command in ["run", "explain"] {
+        let outcome = turnspec(&[command, "--library", &library, &main]);
+        assert_eq!(outcome.status, 1);
+        for part in ["A.MIN:2", "G05"] {
+            assert!(outcome.stderr.contains(part), "{command}: {part}: {}", outcome.stderr);
+        }
+    }
+}
+
 #[test]
 fn a_runaway_program_ends_at_the_limit() {
     let program = Scratch::new("endless.min", b"N1 V1=V1+1\nGOTO N1\n");
