@@ -66,7 +66,6 @@ impl Interpreter<'_> {
             return Err(unfit);
         }
         self.evaluate(slot, sink)?;
-        self.check_common(&slot.words)?;
         let words = &slot.words;
         // The needing block moves, so that nothing is left over of an ended compensation.
         let before = Before { motion, after_angle: need.only_angle, left_over: false };

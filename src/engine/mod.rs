@@ -245,6 +245,7 @@ impl<'a> Interpreter<'a> {
             self.place = slot.place;
             self.note_block(slot);
             self.count_passed(slot)?;
+            self.check_common(&slot.words)?;
             if !planted::is(Bug::NextInchStale) {
                 self.inch_block = slot.parsed.has_length && self.units.inch;
             }

@@ -309,10 +309,15 @@ impl<'a> Reader<'a> {
         Ok(if self.is_tape_mark(lines) { Kind::Other } else { Kind::Block })
     }
 
-    /// Whether the file header says that the text is a schedule program; nothing without a header.
+    /// Whether the file header says that the text is a schedule program, whatever is wrong with it; nothing without a
+    /// header.
     pub fn is_schedule(&self) -> Option<bool> {
         let first = self.has_header().then(|| Self::new(self.bytes, self.code).next_lines())??;
-        Some(self.check_header(first) == Ok(Kind::ScheduleHeader))
+        let text: Vec<u8> = self.lenient(first).collect();
+        let extension = text.rsplit(|byte| *byte == b'.').next().unwrap_or_default();
+        Some(
+            text.contains(&b'.') && extension.split(|byte| !byte.is_ascii_uppercase()).next() == Some(b"SDF"),
+        )
     }
 
     /// Whether the text begins with a file header.

@@ -8,7 +8,9 @@ use turnspec_oracle::vocabulary::{
 
 use crate::engine::Interpreter;
 use crate::engine::fault::Fault;
+use crate::engine::names::Names;
 use crate::engine::slot::Slot;
+use crate::engine::state::{State, X};
 use crate::engine::task::Turn;
 
 use super::sections::Sections;
@@ -38,12 +40,14 @@ impl<'a> Saddles<'a> {
     pub fn new(program: &'a [u8], setup: &'a Setup) -> Self {
         let side = |side| {
             let mut interpreter = Interpreter::one(program, setup);
-            interpreter.state = crate::engine::state::State::of_side(setup, side);
+            interpreter.state = State::of_side(setup, side);
             interpreter.side = Some(Box::default());
             interpreter
         };
+        let (mut a, mut b) = (side(Side::A), side(Side::B));
+        (a.state.other_x, b.state.other_x) = (b.state.program(X), a.state.program(X));
         Self {
-            sides: [side(Side::A), side(Side::B)],
+            sides: [a, b],
             begun: false,
             running: A,
             pair: None,
@@ -108,7 +112,7 @@ impl<'a> Saddles<'a> {
             return Fault::raise(AlarmName::NoProgramEnd, PROG_02);
         }
         for (side, sections) in self.sides.iter_mut().zip(&sections.sides) {
-            side.names = crate::engine::names::Names::default();
+            side.names = Names::default();
             side.begun = true;
             side.task.present.name = name;
             side.reader.keep_to(sections);
@@ -271,9 +275,11 @@ impl Interpreter<'_> {
         self.task.count_no_steps();
         let counts = loop {
             match self.read(&mut slot, Turn::Now) {
-                Ok(true) if slot.parsed.is_only_name() => {}
-                Ok(found) => break found,
-                Err(_) => break true,
+                Ok(false) => break false,
+                // That a name was used before is no fault of the form.
+                Err(fault) if fault.name != AlarmName::SequenceNameDuplicate => break true,
+                _ if slot.parsed.is_only_name() => {}
+                _ => break true,
             }
         };
         self.names = names;

@@ -162,9 +162,8 @@ impl Parser<'_> {
             }
             _ => (None, MACRO_01),
         };
-        if control.is_none() {
-            return Ok(false);
-        }
+        let Some(code) = control else { return Ok(false) };
+        self.refuse_on_two_saddles(code.word())?;
         self.block.items.clear();
         self.block.control = control;
         self.items(Some(rule))?;
