@@ -118,6 +118,9 @@ embedded! {
     "e100l/user-alarms.json"
     "e100l/schedules.json"
     "e100l/schedules-select.json"
+    "e100l/two-turrets.json"
+    "e100l/two-saddles.json"
+    "e100l/synchronisation.json"
     "e100l/acceleration.json"
 }
 
