@@ -1,7 +1,7 @@
 //! Theorems about program and machine coordinates.
 
 use turnspec::engine::arithmetic::frame::{between, coordinate, shift_to, to_machine, to_program};
-use turnspec_oracle::integer::Amounts;
+use turnspec_oracle::integer::{Amounts, mirror};
 
 use crate::draw::within;
 #[cfg(stand_in)]
@@ -41,6 +41,19 @@ theorems! {
         let (program, offset, shift, tool) = (amount(), amount(), amount(), amount());
         kani::cover!(offset < 0 && shift > 0, "offsets of both signs");
         assert!(to_machine(program, between(offset, shift, tool)) == program + offset + shift + tool);
+    }
+
+    /// The mirror image of a mirror image is the coordinate itself, and without a mirror nothing changes.
+    /// Of: `integer::mirror::x`
+    /// Assumes: any but the least coordinate of 64 bits.
+    /// Rules: E100L-MIRR-05
+    #[unwind(2)]
+    fn mirroring_twice_changes_nothing() {
+        let x: i64 = kani::any();
+        kani::assume(x != i64::MIN);
+        kani::cover!(x < 0, "a negative coordinate");
+        assert!(mirror::x(mirror::x(x, true), true) == x);
+        assert!(mirror::x(x, true) == -x && mirror::x(x, false) == x);
     }
 
     /// The order of the offsets does not matter.

@@ -2,7 +2,7 @@
 
 use turnspec_conformance::geometry::{Arc, Point, Way};
 use turnspec_oracle::integer::area::{Bounds, chuck, tailstock};
-use turnspec_oracle::vocabulary::{Action, Event, Length, Motion, Sense, Setup};
+use turnspec_oracle::vocabulary::{Action, Event, Length, Motion, Sense, Setup, Side};
 
 /// What a motion is, for the eye.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -54,10 +54,10 @@ pub struct Plan {
     pub barriers: Vec<(Point, Point)>,
     /// Whether motions were left out because there were too many.
     pub cut: bool,
-    /// Where the tool stands in machine coordinates.
-    machine: Point,
-    /// Where it would stand without compensation.
-    uncompensated: Point,
+    /// Where the tools of saddle A and of saddle B stand in machine coordinates; without a second saddle the first.
+    machine: [Point; 2],
+    /// Where they would stand without compensation.
+    uncompensated: [Point; 2],
     /// Where it stands in the program coordinates of the last motion.
     present: Point,
 }
@@ -71,11 +71,12 @@ impl Plan {
     pub fn new(setup: &Setup) -> Self {
         let areas = chuck(&setup.barriers).into_iter().chain(tailstock(&setup.barriers)).flatten();
         let start = Point::of(setup.start.z, setup.start.x);
+        let starts = [start, Point::of(setup.turret_b.start.z, setup.turret_b.start.x)];
         let offset = Point::of(setup.zero_offset.z, setup.zero_offset.x);
         Self {
             barriers: areas.map(corners).collect(),
-            machine: start,
-            uncompensated: start,
+            machine: starts,
+            uncompensated: starts,
             present: start - offset,
             ..Self::default()
         }
@@ -84,12 +85,12 @@ impl Plan {
     /// Takes the next event.
     pub fn event(&mut self, event: &Event) {
         match &event.action {
-            Action::Rapid { motion } => self.motion(event.n, Kind::Rapid, motion, None),
-            Action::Linear { motion, .. } => self.motion(event.n, Kind::Linear, motion, None),
+            Action::Rapid { motion } => self.motion(event, Kind::Rapid, motion, None),
+            Action::Linear { motion, .. } => self.motion(event, Kind::Linear, motion, None),
             Action::Arc { motion, sense, centre_x, centre_z, .. } => {
                 let sense = if *sense == Sense::Clockwise { -1.0 } else { 1.0 };
                 let arc = Arc { centre: Point::of(*centre_z, *centre_x), sense };
-                self.motion(event.n, Kind::Arc, motion, Some(arc));
+                self.motion(event, Kind::Arc, motion, Some(arc));
             }
             Action::Alarm(_) => self.alarm = Some(self.present),
             _ => {}
@@ -97,17 +98,23 @@ impl Plan {
     }
 
     /// A motion that begins where the tool stands, in the coordinates of the motion.
-    fn motion(&mut self, n: u64, kind: Kind, motion: &Motion, arc: Option<Arc>) {
+    fn motion(&mut self, event: &Event, kind: Kind, motion: &Motion, arc: Option<Arc>) {
+        let side = usize::from(event.saddle == Some(Side::B));
         let programmed = Point::of(motion.program.z, motion.program.x);
         let tip = motion.tip.map_or(programmed, |tip| Point::of(tip.z, tip.x));
+        // With turret B of a saddle the plane of the program is the mirror image of that of the machine (E100L-MIRR-05).
+        let mirrored = event.turret == Some(Side::B);
+        let seen = |point: Point| if mirrored { Point::new(point.z, -point.x) } else { point };
         let machine = Point::of(motion.machine.z, motion.machine.x);
-        let frame = tip - machine;
-        let contour = Way { from: self.uncompensated + frame, to: programmed, arc };
+        let frame = tip - seen(machine);
+        let contour = Way { from: seen(self.uncompensated[side]) + frame, to: programmed, arc };
         // The nose goes round the centre, the tip beside it.
         let beside = motion.nose.map_or(Point::default(), |nose| tip - Point::of(nose.z, nose.x));
         let arc = arc.map(|arc| Arc { centre: arc.centre + beside, ..arc });
-        let way = Way { from: self.machine + frame, to: tip, arc };
-        (self.machine, self.uncompensated, self.present) = (machine, programmed - frame, tip);
+        let way = Way { from: seen(self.machine[side]) + frame, to: tip, arc };
+        self.machine[side] = machine;
+        self.uncompensated[side] = seen(programmed - frame);
+        self.present = tip;
         if !way.has_length() && !contour.has_length() {
             return;
         }
@@ -116,7 +123,7 @@ impl Plan {
             return;
         }
         let programmed = (motion.tip.is_some() && contour != way).then_some(contour);
-        self.segments.push(Segment { n, kind, way, programmed });
+        self.segments.push(Segment { n: event.n, kind, way, programmed });
     }
 }
 
@@ -156,6 +163,25 @@ mod tests {
         let last = plan.segments[1].way;
         assert_eq!((last.from, last.to), (Point::new(0.0, 20.0), Point::new(0.0, 30.0)));
         assert_eq!(plan.alarm, Some(last.to));
+    }
+
+    /// Turret B goes on from where the saddle stands: at X-20 of the machine it is at X20.
+    #[test]
+    fn the_second_turret_is_drawn_in_its_own_coordinates() {
+        let setup = "[machine]\ntype = \"1S-2T\"\n";
+        let plan = plan("G00 X20 Z5\nG14\nX30\nM02\n", setup);
+        let last = plan.segments[1].way;
+        assert_eq!((last.from, last.to), (Point::new(5.0, -10.0), Point::new(5.0, 15.0)));
+    }
+
+    /// Each saddle goes on from where it stands itself.
+    #[test]
+    fn saddles_are_drawn_each_from_its_place() {
+        let setup = "[machine]\ntype = \"2S\"\n[turret_b.start]\nx = 100\n";
+        let plan = plan("G13\nG00 X20 Z5\nG14\nG00 X30\nM02\n", setup);
+        let ways: Vec<_> = plan.segments.iter().map(|segment| (segment.way.from, segment.way.to)).collect();
+        let (a, b) = (Point::default(), Point::new(0.0, 50.0));
+        assert_eq!(ways, [(a, Point::new(5.0, 10.0)), (b, Point::new(0.0, 15.0))]);
     }
 
     /// On a cone the imaginary tip lies beside the contour.
