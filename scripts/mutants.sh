@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Changes one place of the oracle at a time and runs its tests (cargo-mutants; .cargo/mutants.toml says which
-# tests), and adds the outcomes to evidence/mutants.json. Tried are the sources that have changed since their
+# Changes one place of the oracle at a time and runs its tests (cargo-mutants), and adds the outcomes to
+# evidence/mutants.json. A first round runs the examples of the rule texts (.cargo/mutants-examples.toml), a second
+# one all tests on what survived (.cargo/mutants.toml). Tried are the sources that have changed since their
 # mutants were tried, two or three seconds a mutant; rm evidence/mutants.json tries all. Arguments go to
 # cargo-mutants (`--jobs 2`); with `--file` or `--re` among them only these mutants are tried, as after an example
 # that should catch a survivor. With OUTCOMES="FILE…" the outcomes of shards are added and nothing is run.
@@ -26,13 +27,17 @@ else
         [ ${#files[@]} -gt 0 ] || { echo "every source has been tried" >&2; exit 0; }
         ;;
     esac
-    # Status 2 is a survivor, 3 a time-out: outcomes both.
-    status=0
-    cargo mutants -p turnspec-oracle --output "$output" "${files[@]}" "$@" || status=$?
-    case $status in 0 | 2 | 3) ;; *) exit "$status" ;; esac
-    outcomes=("$output/mutants.out/outcomes.json")
-    # Sources without a mutant leave none.
-    [ -f "${outcomes[0]}" ] || echo '{"outcomes": []}' >"${outcomes[0]}"
+    # Status 2 is a survivor, 3 a time-out: outcomes both. Sources without a mutant leave no outcomes.
+    outcomes=()
+    round() {
+        local status=0 outcome="$output/${#outcomes[@]}.json"
+        cargo mutants -p turnspec-oracle --output "$output" "$@" || status=$?
+        case $status in 0 | 2 | 3) ;; *) exit "$status" ;; esac
+        cp "$output/mutants.out/outcomes.json" "$outcome" 2>/dev/null || echo '{"outcomes": []}' >"$outcome"
+        outcomes+=("$outcome")
+    }
+    round --config .cargo/mutants-examples.toml "${files[@]}" "$@"
+    round --iterate "${files[@]}" "$@"
 fi
 
 mkdir -p evidence

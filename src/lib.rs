@@ -6,3 +6,5 @@ pub mod audit;
 pub mod campaign;
 pub mod differential;
 pub mod engine;
+#[cfg(feature = "cli")]
+pub mod plot;

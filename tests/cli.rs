@@ -434,6 +434,54 @@ fn a_schedule_selects_main_programs_of_the_library() {
 }
 
 #[test]
+fn plot_draws_what_the_run_does() {
+    let folder = Folder::new("plot", &[("a.min", "G00 X20 Z5\nG01 Z-10 F0.2\nG02 X30 Z-15 I5\nM02\n")]);
+    let (program, page) = (folder.path("a.min"), folder.path("a.html"));
+    let outcome = turnspec(&["plot", &program]);
+    assert_eq!((outcome.status, outcome.stderr.as_str()), (0, ""));
+    let svg = outcome.stdout;
+    assert!(svg.starts_with("<svg xmlns=") && svg.ends_with("</svg>\n"), "{svg}");
+    for class in ["rapid", "linear", "arc"] {
+        assert_eq!(svg.matches(&format!("<path class=\"{class}\" data-n=")).count(), 1, "{class}: {svg}");
+    }
+    assert_eq!(turnspec(&["plot", &program, "--html", "--output", &page]).status, 0);
+    let page = std::fs::read_to_string(page).unwrap();
+    for part in
+        ["G01 Z-10 F0.2", "linear to X20 Z-10 at 0.2 mm/rev", "E100L-G01-01 \u{b7} Linear interpolation"]
+    {
+        assert!(page.contains(part), "{part}");
+    }
+    assert!(!page.contains("http://") || page.matches("http://").count() == 1, "nothing from elsewhere");
+}
+
+/// The path up to the alarm, the alarm on standard error, status 1; files that cannot be written, status 2.
+#[test]
+fn plot_draws_up_to_an_alarm() {
+    let program = Scratch::new("alarm.min", b"G00 X20\nG05\nM02\n");
+    let outcome = turnspec(&["plot", program.path()]);
+    assert_eq!(outcome.status, 1);
+    assert!(outcome.stdout.contains("class=\"alarm\"") && outcome.stderr.contains("g_code_unassigned"));
+    let outcome = turnspec(&["plot", program.path(), "-o", "/no/such/folder/a.svg"]);
+    assert_eq!(outcome.status, 2);
+    assert!(outcome.stderr.contains("/no/such/folder/a.svg"), "{}", outcome.stderr);
+}
+
+/// A program without a name is known by the file that was selected.
+#[test]
+fn an_alarm_of_a_selected_program_shows_its_file() {
+    let folder =
+        Folder::new("selected", &[("day.sdf", "PSELECT A.MIN\nEND\n"), ("a.min", "G00 X10\nG05\nM02\n")]);
+    let (main, library) = (folder.path("day.sdf"), folder.path(""));
+    for command in ["run", "explain"] {
+        let outcome = turnspec(&[command, "--library", &library, &main]);
+        assert_eq!(outcome.status, 1);
+        for part in ["A.MIN:2", "G05"] {
+            assert!(outcome.stderr.contains(part), "{command}: {part}: {}", outcome.stderr);
+        }
+    }
+}
+
+#[test]
 fn a_runaway_program_ends_at_the_limit() {
     let program = Scratch::new("endless.min", b"N1 V1=V1+1\nGOTO N1\n");
     let setup = Scratch::new("endless.toml", b"[limits]\nsteps = 5\n");

@@ -23,6 +23,7 @@ mod export;
 mod features;
 mod figure;
 mod files;
+pub mod geometry;
 mod observation;
 pub mod page;
 mod parallel;

@@ -92,6 +92,7 @@ pub fn carry_out(arguments: &Arguments, color: ColorChoice) -> Result<Verdict, F
                 found = true;
                 written = explanation.event(event);
             }
+            sources.follow(event);
             variables.event(event);
             if let Action::Alarm(each) = event.action {
                 alarm = Some((each, *event));

@@ -18,6 +18,7 @@ mod input;
 mod lockstep;
 mod machine;
 mod options;
+mod plot;
 mod report;
 mod rules;
 mod run;
@@ -66,6 +67,7 @@ enum Command {
     Run(run::Arguments),
     Check(check::Arguments),
     Explain(explain::Arguments),
+    Plot(plot::Arguments),
     Rules(rules::Arguments),
     Conform(conform::Arguments),
     Answer(answer::Arguments),
@@ -84,6 +86,7 @@ impl Cli {
             Command::Run(arguments) => run::carry_out(&arguments, self.color),
             Command::Check(arguments) => check::carry_out(&arguments, self.color),
             Command::Explain(arguments) => explain::carry_out(&arguments, self.color),
+            Command::Plot(arguments) => plot::carry_out(&arguments, self.color),
             Command::Rules(arguments) => rules::carry_out(&arguments),
             Command::Conform(arguments) => conform::carry_out(&arguments, self.color),
             Command::Answer(arguments) => answer::carry_out(&arguments),

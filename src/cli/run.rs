@@ -53,16 +53,16 @@ enum Implementation {
 pub fn carry_out(arguments: &Arguments, color: ColorChoice) -> Result<Verdict, Failure> {
     let program = Program::read(arguments.program.as_deref())?;
     let setup = arguments.setup.setup(&program)?;
+    let sources = Sources::new(&program, &setup);
     let out = BufWriter::with_capacity(1 << 16, stdout().lock());
     let mut trace = TraceWriter::new(out, arguments.format, color.on_stdout())?;
     let text = &program.text;
     let (last, mismatch) = match arguments.with {
-        Implementation::Oracle => (drive(Run::new(text, &setup), &mut trace)?, None),
-        Implementation::Engine => (drive(Interpreter::new(text, &setup), &mut trace)?, None),
-        Implementation::Both => drive_both(&program, &setup, &mut trace)?,
+        Implementation::Oracle => (drive(Run::new(text, &setup), &mut trace, &sources)?, None),
+        Implementation::Engine => (drive(Interpreter::new(text, &setup), &mut trace, &sources)?, None),
+        Implementation::Both => drive_both(&program, &setup, &mut trace, &sources)?,
     };
     trace.finish()?;
-    let sources = Sources::new(&program, &setup);
     if let Some(mismatch) = &mismatch {
         report_mismatch(mismatch, &program.name, &sources);
     }
@@ -71,7 +71,11 @@ pub fn carry_out(arguments: &Arguments, color: ColorChoice) -> Result<Verdict, F
 }
 
 /// Runs to the end; the last event.
-fn drive(mut machine: impl Machine, trace: &mut TraceWriter<impl Write>) -> Result<Option<Event>, Failure> {
+fn drive(
+    mut machine: impl Machine,
+    trace: &mut TraceWriter<impl Write>,
+    sources: &Sources,
+) -> Result<Option<Event>, Failure> {
     let mut last = None;
     loop {
         let mut written = Ok(());
@@ -79,6 +83,7 @@ fn drive(mut machine: impl Machine, trace: &mut TraceWriter<impl Write>) -> Resu
             if written.is_ok() {
                 written = trace.event(event);
             }
+            sources.follow(event);
             last = Some(*event);
         });
         written?;
@@ -92,10 +97,12 @@ fn drive_both(
     program: &Program,
     setup: &Setup,
     trace: &mut TraceWriter<impl Write>,
+    sources: &Sources,
 ) -> Result<(Option<Event>, Option<Mismatch>), Failure> {
     let mut last = None;
     let mismatch =
         compare(Run::new(&program.text, setup), Interpreter::new(&program.text, setup), |event: &Event| {
+            sources.follow(event);
             last = Some(*event);
             trace.event(event)
         })?;

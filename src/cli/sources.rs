@@ -1,9 +1,10 @@
 //! The texts of a run: the main text and the files of the library, and which of them an event comes from.
 
+use std::cell::Cell;
 use std::collections::BTreeMap;
 
 use turnspec_oracle::syntax::{self, Heading};
-use turnspec_oracle::vocabulary::{Label, Place, Setup, TapeCode};
+use turnspec_oracle::vocabulary::{Action, Event, Label, Place, ProgramText, Setup, TapeCode};
 
 use super::input::Program;
 
@@ -12,6 +13,10 @@ pub struct Sources<'a> {
     main: Source<'a>,
     /// The file of the library that has a program, by the program's name; those of the main text are left out.
     library: BTreeMap<Label, Source<'a>>,
+    /// The files of the library.
+    files: &'a BTreeMap<String, ProgramText>,
+    /// The file of the program that a schedule program is running, with its device.
+    selected: Cell<Option<Label>>,
     code: TapeCode,
 }
 
@@ -38,7 +43,7 @@ impl<'a> Sources<'a> {
                 library.remove(&name);
             }
         }
-        Self { main, library, code: setup.tape.code }
+        Self { main, library, files: &setup.library, selected: Cell::new(None), code: setup.tape.code }
     }
 
     /// How the texts are coded.
@@ -46,10 +51,26 @@ impl<'a> Sources<'a> {
         self.code
     }
 
-    /// The text that a block stands in: the main text, unless a file of the library has the program of the block and
-    /// the main text has not.
+    /// Takes note of an event, when all has been said about it: behind `select` blocks stand in another file.
+    pub fn follow(&self, event: &Event) {
+        match event.action {
+            Action::Select { file, .. } => self.selected.set(Some(file)),
+            Action::End { .. } => self.selected.set(None),
+            _ => {}
+        }
+    }
+
+    /// The text of the file that was selected.
+    fn selected(&self) -> Option<Source<'a>> {
+        let file = self.selected.get()?;
+        let name = file.as_str().rsplit_once(':').map_or(file.as_str(), |(_, name)| name);
+        self.files.get_key_value(name).map(|(name, text)| Source { name, text: &text.0 })
+    }
+
+    /// The text that a block stands in: the main text or that of a selected program, unless a file of the library has
+    /// the program of the block and the main text has not.
     pub fn of(&self, block: &Place) -> Source<'a> {
-        self.library.get(&block.program).copied().unwrap_or(self.main)
+        self.library.get(&block.program).copied().or_else(|| self.selected()).unwrap_or(self.main)
     }
 }
 

@@ -3,7 +3,6 @@
 //! An image behind the trace of an example asks for its drawing, `drawings/RULE-NUMBER.svg`. It is made from
 //! the trace of the oracle, so that text, example and drawing cannot say different things.
 
-mod geometry;
 mod scene;
 mod sheet;
 mod view;

@@ -2,7 +2,7 @@
 
 use turnspec_oracle::vocabulary::{Action, Event, Label, Motion, Sense};
 
-use super::geometry::{Arc, Point, Way};
+use crate::geometry::{Arc, Point, Way};
 
 /// The motions of a trace.
 pub struct Scene {

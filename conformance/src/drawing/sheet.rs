@@ -2,9 +2,9 @@
 
 use maud::{Markup, PreEscaped, html};
 
-use super::geometry::{Point, Way};
 use super::scene::{Scene, Stand, Step};
 use super::view::{HEIGHT, View, WIDTH, number};
+use crate::geometry::{Point, Way};
 
 /// Height of the strip below the plot, in pixels.
 const STRIP: f64 = 34.0;

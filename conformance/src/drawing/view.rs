@@ -1,7 +1,7 @@
 //! What part of the plane a drawing shows, and where a point of it lies on the sheet.
 
-use super::geometry::{Point, Way};
 use super::scene::{Scene, Stand};
+use crate::geometry::{Point, Way};
 
 /// Width of the plot in pixels.
 pub const WIDTH: f64 = 480.0;
@@ -98,8 +98,8 @@ pub fn number(value: f64) -> String {
 #[cfg(test)]
 #[allow(clippy::panic)]
 mod tests {
-    use super::super::geometry::{Arc, Point, Way};
     use super::{View, number};
+    use crate::geometry::{Arc, Point, Way};
 
     const VIEW: View = View { corner: Point { z: 0.0, x: 10.0 }, scale: 2.0 };
 

@@ -123,7 +123,7 @@ impl Kind {
 }
 
 /// How often a block is written anew when it leaves the profile.
-const ATTEMPTS: usize = 20;
+pub(crate) const ATTEMPTS: usize = 20;
 
 impl<'b, 'c, 'd> Builder<'b, 'c, 'd> {
     /// A program that begins in this state.
@@ -171,7 +171,7 @@ impl<'b, 'c, 'd> Builder<'b, 'c, 'd> {
 
     /// Adds lines that stay within the profile: what does not is taken back, and left out after a number of
     /// attempts. False when nothing was added.
-    fn within_profile(&mut self, attempts: usize, write: impl Fn(&mut Self) -> bool) -> bool {
+    pub(crate) fn within_profile(&mut self, attempts: usize, write: impl Fn(&mut Self) -> bool) -> bool {
         if self.profile.is_full() {
             return write(self);
         }
@@ -192,7 +192,7 @@ impl<'b, 'c, 'd> Builder<'b, 'c, 'd> {
     }
 
     /// The plainest text of some lines.
-    fn text_of(&self, lines: &[Line]) -> Vec<u8> {
+    pub(crate) fn text_of(&self, lines: &[Line]) -> Vec<u8> {
         let mut text = Vec::new();
         for line in lines {
             // A line that begins with $ is a header at the beginning of a text only.

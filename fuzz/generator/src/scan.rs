@@ -182,7 +182,15 @@ impl Scan<'_> {
                 _ => self.needs.add(&[Feature::Alarm]),
             }
         }
-        self.pass(|byte| byte == b' ');
+        while matches!(self.peek(), b' ' | b'\t' | b'\r' | 0x08 | 0x7F | b'(') {
+            let byte = self.peek();
+            self.at += 1;
+            match byte {
+                b'(' => self.comment(),
+                b' ' => {}
+                _ => self.needs.add(&[Feature::TapeCode]),
+            }
+        }
         if self.peek() == b'Q' {
             self.at += 1;
             self.block.equal = true;

@@ -212,10 +212,19 @@ fn without_comments(text: &str) -> String {
     rest
 }
 
+/// A line without the files and the program that PSELECT names, and without the Q before the number of repetitions.
+fn without_selection(line: &str) -> String {
+    let Some((before, items)) = line.split_once("PSELECT") else { return line.to_owned() };
+    let repetitions = items.splitn(4, ',').nth(3).unwrap_or_default().trim_start();
+    format!("{before}PSELECT {}", repetitions.strip_prefix('Q').unwrap_or(repetitions))
+}
+
 /// The text without strings and what surrounds them, and without the codes and commas of statements that send and receive.
 fn without_strings(text: &str) -> String {
     let line = |line: &str| {
-        let communicates = ["GET", "PUT", "PSELECT"].iter().any(|keyword| line.contains(keyword));
+        let line = without_selection(line);
+        let line = line.as_str();
+        let communicates = ["GET", "PUT"].iter().any(|keyword| line.contains(keyword));
         if !communicates && !line.contains("VUACM") {
             return line.to_owned();
         }

@@ -98,9 +98,9 @@ impl Builder<'_, '_, '_> {
             }
             Fault::UserTaskLevel if level_2 => false,
             // Most of these faults have other kinds too.
-            Fault::Format if self.choices.chance(25) => false,
-            Fault::Unspecified
-            | Fault::NumberMalformed
+            Fault::Format if self.choices.chance(50) => false,
+            Fault::Unspecified if self.choices.chance(75) => false,
+            Fault::NumberMalformed
             | Fault::VariableSuffix
             | Fault::IllegalCharacter
             | Fault::VariableReadOnly

@@ -5,7 +5,7 @@ use std::rc::Rc;
 use turnspec_oracle::vocabulary::Feature;
 
 use super::short::Short;
-use crate::builder::{Builder, Kind};
+use crate::builder::{ATTEMPTS, Builder, Kind};
 use crate::control::{Called, Nature};
 use crate::program::Line;
 use crate::state::Mode;
@@ -58,6 +58,7 @@ impl Builder<'_, '_, '_> {
         let positions = self.allows(Feature::Rapid) && self.allows(Feature::Absolute);
         let again = positions && (self.state.control.steady || self.choices.chance(35));
         let before = self.state.control.programs_count();
+        let mode = self.state.mode;
         let (effect, lines) = if full && self.choices.chance(22) {
             self.short_program()
         } else if again {
@@ -65,6 +66,8 @@ impl Builder<'_, '_, '_> {
         } else {
             (Effect::Grown, self.grown(&name))
         };
+        let written = self.text_of(&lines);
+        self.state.schedule.misfit |= !self.profile.permits_text(&written, mode);
         let mut text: Vec<Line> = Vec::new();
         if let Some(name) = &name {
             text.push(Line::Raw(self.name_block(name)));
@@ -128,7 +131,9 @@ impl Builder<'_, '_, '_> {
         body(self);
         self.settle_label();
         self.end_compensation();
-        self.ending();
+        if !self.within_profile(ATTEMPTS, Self::ending) {
+            self.raw(b"M02");
+        }
         self.state.control.main = None;
         let mut written = std::mem::replace(&mut self.lines, lines);
         self.state.names = names;
@@ -151,8 +156,11 @@ impl Builder<'_, '_, '_> {
             if !self.state.compensation.is_on() {
                 break;
             }
-            self.begin();
-            self.fitting(|builder| builder.block_of(Kind::Cancel));
+            self.within_profile(ATTEMPTS, |builder| {
+                builder.begin();
+                builder.fitting(|builder| builder.block_of(Kind::Cancel));
+                true
+            });
         }
     }
 

@@ -35,6 +35,8 @@ pub struct Schedule {
     pub(crate) endless: bool,
     /// Whether the program is a schedule.
     pub(crate) active: bool,
+    /// Whether a main program left the profile.
+    misfit: bool,
 }
 
 /// Headers of schedules.
@@ -86,7 +88,10 @@ impl Builder<'_, '_, '_> {
             if self.choices.chance(10) {
                 self.schedule_filler();
             }
-            self.schedule_block();
+            self.within_profile(3, |builder| {
+                builder.schedule_block();
+                !builder.state.schedule.misfit
+            });
         }
         if !self.state.schedule.endless {
             self.schedule_line(Statement::End, Vec::new());

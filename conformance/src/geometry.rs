@@ -1,4 +1,4 @@
-//! Points of the drawing plane and ways between them.
+//! For drawings: points of the plane and ways between them.
 //!
 //! Only sums, products, quotients and square roots are used, which every machine computes alike.
 
@@ -9,36 +9,46 @@ use turnspec_oracle::vocabulary::Length;
 /// A point or vector in millimetres, X as a radius.
 #[derive(Clone, Copy, PartialEq, Debug, Default)]
 pub struct Point {
+    /// Along the axis of the spindle.
     pub z: f64,
+    /// Across it.
     pub x: f64,
 }
 
 impl Point {
+    /// The point with these coordinates.
+    #[must_use]
     pub fn new(z: f64, x: f64) -> Self {
         Self { z, x }
     }
 
     /// The point with these coordinates, X as a diameter.
+    #[must_use]
     pub fn of(z: Length, x: Length) -> Self {
         Self { z: z.0 as f64 / 1e6, x: x.0 as f64 / 2e6 }
     }
 
+    /// The distance from zero.
+    #[must_use]
     pub fn length(self) -> f64 {
         (self.z * self.z + self.x * self.x).sqrt()
     }
 
     /// The vector of length 1 in this direction; none of a vector without length.
+    #[must_use]
     pub fn unit(self) -> Option<Self> {
         let length = self.length();
         (length > 0.0).then(|| self * (1.0 / length))
     }
 
     /// The vector turned by 90 degrees to the left.
+    #[must_use]
     pub fn left(self) -> Self {
         Self { z: -self.x, x: self.z }
     }
 
     /// Positive when `other` points to the left of this vector.
+    #[must_use]
     pub fn cross(self, other: Self) -> f64 {
         self.z * other.x - self.x * other.z
     }
@@ -68,25 +78,32 @@ impl Mul<f64> for Point {
 /// A way from one point to another: straight, or round a centre.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Way {
+    /// Where it begins.
     pub from: Point,
+    /// Where it ends.
     pub to: Point,
+    /// The circle that it follows, if it is not straight.
     pub arc: Option<Arc>,
 }
 
 /// The circle that a way follows.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Arc {
+    /// Its centre.
     pub centre: Point,
     /// +1 counter-clockwise, −1 clockwise, with Z to the right and X up.
     pub sense: f64,
 }
 
 impl Way {
+    /// Whether it leads anywhere else.
+    #[must_use]
     pub fn has_length(&self) -> bool {
         self.from != self.to
     }
 
     /// The way at the distance `d` to the left; none if a circle would have no radius left.
+    #[must_use]
     pub fn beside(&self, d: f64) -> Option<Self> {
         let shifted = |point: Point| match self.arc {
             None => Some(point + (self.to - self.from).unit()?.left() * d),

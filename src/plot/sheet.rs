@@ -1,0 +1,138 @@
+//! The sheet: a plan as SVG text, with a look for light surroundings, one for dark ones and one for paper.
+
+use maud::{Markup, PreEscaped, html};
+
+use turnspec_conformance::geometry::Point;
+
+use super::axes::axes;
+use super::path::{Kind, Plan, Segment};
+use super::view::{Extent, View, WIDTH, number};
+
+/// The look of a sheet.
+pub const STYLE: &str = include_str!("style.css");
+/// Room for titles and numbers beside the plot in pixels: left, above, right, below.
+const MARGIN: [f64; 4] = [76.0, 56.0, 24.0, 84.0];
+
+/// The drawing of a plan under a title.
+#[must_use]
+pub fn svg(title: &str, plan: &Plan, extent: Extent) -> String {
+    let text = html! { (sheet(title, plan, extent, true)) "\n" };
+    text.into_string()
+}
+
+/// The drawing; in a page the look is that of the page.
+pub fn sheet(title: &str, plan: &Plan, extent: Extent, alone: bool) -> Markup {
+    let view = View::of(plan, extent);
+    let [left, above, right, below] = MARGIN;
+    let (width, height) = (WIDTH + left + right, view.height() + above + below);
+    html! {
+        svg xmlns="http://www.w3.org/2000/svg" width=(number(width)) height=(number(height))
+            viewBox={ "0 0 " (number(width)) " " (number(height)) } role="img" aria-label=(title) {
+            @if alone {
+                title { (title) }
+                style { (PreEscaped(STYLE)) }
+            }
+            clipPath id="plot" { rect width=(number(WIDTH)) height=(number(view.height())) {} }
+            rect.back width="100%" height="100%" {}
+            text.title x=(number(left - 52.0)) y="24" { (title) }
+            g transform={ "translate(" (number(left)) " " (number(above)) ")" } {
+                (axes(&view))
+                g clip-path="url(#plot)" { (plot(&view, plan)) }
+                (legend(plan, view.height() + 56.0))
+            }
+        }
+    }
+}
+
+fn plot(view: &View, plan: &Plan) -> Markup {
+    html! {
+        g.barriers {
+        @for (one, other) in &plan.barriers {
+            @let ((right, down), (width, height)) = rectangle(view, *one, *other);
+            rect.barrier x=(number(right)) y=(number(down)) width=(number(width)) height=(number(height)) {}
+        }
+        }
+        @for segment in &plan.segments {
+            @if let Some(way) = &segment.programmed { path.contour d=(view.data(way)) {} }
+        }
+        @for segment in &plan.segments { (motion(view, segment)) }
+        @if let Some(first) = plan.segments.first() { (dot(view, "start", first.way.from)) }
+        @if let Some(last) = plan.segments.last() { (dot(view, "finish", last.way.to)) }
+        @if let Some(at) = plan.alarm {
+            @let (right, down) = view.place(at);
+            path.alarm d={ "M" (number(right - 6.0)) " " (number(down - 6.0)) "l12 12m0 -12l-12 12" } {}
+        }
+    }
+}
+
+/// A motion, with the number of its event.
+fn motion(view: &View, segment: &Segment) -> Markup {
+    html! { path class=(segment.kind.name()) data-n=(segment.n) d=(view.data(&segment.way)) {} }
+}
+
+fn dot(view: &View, class: &str, point: Point) -> Markup {
+    let (right, down) = view.place(point);
+    html! { circle class=(class) cx=(number(right)) cy=(number(down)) r="4" {} }
+}
+
+/// Upper left corner and size of a rectangle in pixels.
+fn rectangle(view: &View, one: Point, other: Point) -> ((f64, f64), (f64, f64)) {
+    let (first, second) = (view.place(one), view.place(other));
+    let corner = (first.0.min(second.0), first.1.min(second.1));
+    (corner, ((first.0 - second.0).abs(), (first.1 - second.1).abs()))
+}
+
+/// What the lines and marks of this sheet mean.
+fn legend(plan: &Plan, y: f64) -> Markup {
+    let has = |kind: Kind| plan.segments.iter().any(|segment| segment.kind == kind);
+    let kinds = Kind::ALL.into_iter().filter(|kind| has(*kind)).map(|kind| (kind.name(), kind.name()));
+    let contour = plan.segments.iter().any(|segment| segment.programmed.is_some());
+    let lines = kinds.chain(contour.then_some(("contour", "programmed"))).map(|(class, name)| {
+        let sample = html! { path class=(class) d="M0 0h28" {} };
+        (sample, name)
+    });
+    let barrier = html! { g.barriers { rect.barrier width="28" height="12" y="-6" {} } };
+    let start = html! { circle.start r="4" cx="14" {} };
+    let finish = html! { circle.finish r="4" cx="14" {} };
+    let alarm = html! { path.alarm d="M8 -6l12 12m0 -12l-12 12" {} };
+    let marks = [
+        (!plan.barriers.is_empty(), barrier, "barrier"),
+        (!plan.segments.is_empty(), start, "start"),
+        (!plan.segments.is_empty(), finish, "end"),
+        (plan.alarm.is_some(), alarm, "alarm"),
+    ];
+    let entries: Vec<_> = lines
+        .chain(marks.into_iter().filter(|mark| mark.0).map(|(_, sample, name)| (sample, name)))
+        .collect();
+    html! {
+        g.legend {
+            @for (place, (sample, name)) in entries.iter().enumerate() {
+                g transform={ "translate(" (number(place as f64 * 134.0)) " " (number(y)) ")" } {
+                    (sample)
+                    text x="36" dy=".35em" { (name) }
+                }
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Extent, Plan, svg};
+    use turnspec_oracle::vocabulary::{Event, Setup};
+
+    #[test]
+    fn what_there_is_is_in_drawing_and_legend() {
+        let mut plan = Plan::new(&Setup::default());
+        turnspec_oracle::run(b"G00 X20 Z5\nG01 Z-10 F0.2\nG05\n", &Setup::default(), &mut |event: &Event| {
+            plan.event(event);
+        });
+        let text = svg("a < b", &plan, Extent::All);
+        for part in ["a &lt; b", "class=\"rapid\" data-n=\"1\"", "class=\"linear\"", ">alarm<", ">end<"] {
+            assert!(text.contains(part), "{part}: {text}");
+        }
+        for part in ["class=\"arc\"", ">barrier<", ">programmed<"] {
+            assert!(!text.contains(part), "{part}");
+        }
+    }
+}
