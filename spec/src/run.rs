@@ -20,7 +20,8 @@ use crate::path;
 use crate::schedule::Schedule;
 use crate::state::State;
 use crate::task::{Calls, Registration};
-use crate::vocabulary::{Action, Ending, Event, Place, Setup, Sink};
+use crate::turret;
+use crate::vocabulary::{Action, Ending, Event, MachineType, Place, Setup, Side, Sink};
 use reading::{Block, Content, Reader};
 use statement::Carried;
 
@@ -81,7 +82,7 @@ impl<'a> Run<'a> {
             Ok(Progress::Ended) => self.ending = Some(Ending::End),
             Err(fault) => {
                 let alarm = Emission::new(Action::Alarm(fault.alarm), fault.rules).readings(fault.readings);
-                self.send(fault.block.unwrap_or(place), alarm, sink);
+                self.send(fault.block.unwrap_or(place), alarm.of(self.state.side()), sink);
                 self.ending = Some(Ending::Alarm);
             }
         }
@@ -90,8 +91,14 @@ impl<'a> Run<'a> {
 
     fn send(&mut self, block: Place, emission: Emission, sink: &mut impl Sink) {
         self.events += 1;
-        let Emission { action, rules, readings, .. } = emission;
-        sink.event(&Event::new(self.events, block, rules, readings, action));
+        let Emission { action, rules, readings, side, .. } = emission;
+        let mut event = Event::new(self.events, block, rules, readings, action);
+        match self.setup.machine.r#type {
+            MachineType::OneTurret => {}
+            MachineType::TwoTurrets => event.turret = side,
+            MachineType::TwoSaddles => event.saddle = side,
+        }
+        sink.event(&event);
     }
 
     /// Carries out one block: the events that are decided then, in order, each with its place. The place of the
@@ -105,7 +112,7 @@ impl<'a> Run<'a> {
             return self.schedule_block(place, decided);
         }
         let Block { place: here, content, behind } = self.reader.arrive(self.calls.running_mut(), place)?;
-        let mut stream = self.compensation.stream(here, decided);
+        let mut stream = self.compensation.stream(here, self.state.side(), decided);
         let progress = self.carry_out(content, Carried { place: here, behind }, &mut stream);
         stream.close();
         if progress? == Progress::Ended {
@@ -124,6 +131,7 @@ impl<'a> Run<'a> {
             Content::Communication(statement) => {
                 return self.communicate(&statement, stream).map(|()| Progress::Going);
             }
+            Content::Turret(codes) => return self.change_turret(&codes, stream),
             Content::Words(words) => *words,
             Content::Items(items) => {
                 let own = Registration::Change { program: self.calls.depth() };
@@ -148,6 +156,14 @@ impl<'a> Run<'a> {
         if plan.triggers() {
             self.calls.trigger(block.place, block.behind);
         }
+        Ok(Progress::Going)
+    }
+
+    /// A block that selects a turret: one without motion.
+    fn change_turret(&mut self, codes: &[Side], stream: &mut Stream) -> Outcome<Progress> {
+        let left_over = self.compensation.is_left_over();
+        turret::change(codes, left_over, &mut self.state, &mut stream.emissions)?;
+        self.compensation.end_of_block(false, stream, &self.state)?;
         Ok(Progress::Going)
     }
 

@@ -7,7 +7,8 @@ use crate::controls::e100l::system_variables::Axis;
 use crate::frame::{Frame, Limits, TravelLimit};
 use crate::path::Point;
 use crate::task::Memory;
-use crate::vocabulary::{Setup, SpindleState};
+use crate::turret::OwnData;
+use crate::vocabulary::{MachineType, Setup, Side, SpindleState};
 
 /// The state of a control.
 pub struct State<'a> {
@@ -41,6 +42,8 @@ pub struct State<'a> {
     pub cut_last: bool,
     /// Where the next block counts from, after a chamfer block.
     pub base: Option<Base>,
+    /// The data of the turret that is not selected, on a machine with two on one saddle.
+    pub other_turret: Option<OwnData>,
     /// The end point of this block, when the block before had an angle alone.
     pub angle_target: Option<Point>,
 }
@@ -63,8 +66,10 @@ pub struct StoredFeed {
 /// What was commanded of the spindles.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct SpindleStore {
-    /// Main spindle.
+    /// Main spindle, as it turns.
     pub main: SpindleState,
+    /// The turret that was selected when its direction was commanded (E100L-MIRR-08).
+    pub started_with: Option<Side>,
     /// S of G97, in thousandths of a revolution per minute.
     pub speed: i64,
     /// S of G96, in micrometres per minute.
@@ -108,7 +113,34 @@ impl<'a> State<'a> {
             stops_used: 0,
             cut_last: false,
             base: None,
+            other_turret: (setup.machine.r#type == MachineType::TwoTurrets).then(|| OwnData::of_b(setup)),
             angle_target: None,
+        }
+    }
+
+    /// E100L-MIRR-01: the turret that is selected.
+    pub fn turret(&self) -> Side {
+        if self.modes.get(GGroup::Turret) == 14 { Side::B } else { Side::A }
+    }
+
+    /// Selects a turret (E100L-MIRR-05, E100L-MIRR-18).
+    pub fn select_turret(&mut self, turret: Side) {
+        if turret == self.turret() {
+            return;
+        }
+        self.modes.set(GGroup::Turret, if turret == Side::B { 14 } else { 13 });
+        if let Some(mut other) = self.other_turret.take() {
+            other.exchange(self);
+            self.other_turret = Some(other);
+        }
+        self.frame.mirrored = turret == Side::B;
+    }
+
+    /// The side that an event tells, on machines with two.
+    pub fn side(&self) -> Option<Side> {
+        match self.setup.machine.r#type {
+            MachineType::TwoTurrets => Some(self.turret()),
+            MachineType::OneTurret | MachineType::TwoSaddles => None,
         }
     }
 

@@ -86,6 +86,7 @@ fn select(code: u16, state: &mut State) -> Option<Emission> {
         95 => FEED_01,
         96 => CSS_01,
         97 => CSS_02,
+        110 | 111 => MIRR_19,
         _ => GCODE_02,
     };
     // E100L-NRC-61: from one side to the other without G40 between.
@@ -170,7 +171,9 @@ pub fn after_motion(plan: &Plan, selected: bool, state: &mut State, emissions: &
                 emissions.append(&mut reset(state));
             }
             let end = Action::End { code: Label::of_code(b'M', code) };
-            emissions.push(Emission::new(end, RuleSet::of(&[MCODE_04])).rule_if(selected, SDF_14));
+            let event = Emission::new(end, RuleSet::of(&[MCODE_04])).rule_if(selected, SDF_14);
+            // The reset has changed the turret.
+            emissions.push(event.of(state.side()));
             return true;
         }
         _ => {}

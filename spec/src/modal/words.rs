@@ -12,7 +12,7 @@ use crate::state::State;
 use crate::syntax::{Address, Item, ItemKind, Value};
 use crate::task;
 use crate::vocabulary::rule_ids::*;
-use crate::vocabulary::{AlarmName, InchConversion, Label, RuleId, Setup};
+use crate::vocabulary::{AlarmName, InchConversion, Label, MachineType, RuleId, Setup, Side};
 
 /// E100L-FMT-06.
 const MOST_M_WORDS: usize = 8;
@@ -137,8 +137,8 @@ fn add(
         return fail(AlarmName::DuplicateAddress, FMT_06);
     }
     let value = match address {
-        Address::Letter(b'G') => return add_g(&given, words),
-        Address::Letter(b'M') => return add_m(&given, words),
+        Address::Letter(b'G') => return add_g(&given, state.setup, words),
+        Address::Letter(b'M') => return add_m(&given, state, words),
         Address::Letter(b'F') => {
             words.feed = Some(given.value);
             return Ok(());
@@ -236,7 +236,7 @@ fn code(given: &Given, highest: i64, rule: RuleId) -> Outcome<u16> {
 }
 
 /// E100L-GTAB-01, E100L-ABS-04, E100L-GCODE-04.
-fn add_g(given: &Given, words: &mut Words) -> Outcome<()> {
+fn add_g(given: &Given, setup: &Setup, words: &mut Words) -> Outcome<()> {
     let code = code(given, 999, ADDR_01)?;
     let detail = Label::of_code(b'G', code);
     let group = match g_code(code) {
@@ -248,6 +248,7 @@ fn add_g(given: &Given, words: &mut Words) -> Outcome<()> {
         GCode::Unspecified => return Err(Fault::about(AlarmName::Unspecified, GTAB_01, detail.as_str())),
         GCode::Unassigned => return fail(AlarmName::GCodeUnassigned, GTAB_01),
     };
+    of_machine(code, setup)?;
     if code == 90 && words.has_g(91) || code == 91 && words.has_g(90) {
         return fail(AlarmName::AbsoluteAndIncremental, ABS_04);
     }
@@ -258,8 +259,19 @@ fn add_g(given: &Given, words: &mut Words) -> Outcome<()> {
     Ok(())
 }
 
+/// E100L-MIRR-01, E100L-MIRR-03: turret codes that a machine does not have, or not as a word among others.
+fn of_machine(code: u16, setup: &Setup) -> Outcome<()> {
+    let (name, rule) = match (setup.machine.r#type, code) {
+        (MachineType::OneTurret, 14 | 111) => (AlarmName::TurretMissing, MIRR_01),
+        // Written as a plain number it makes its block another one.
+        (MachineType::TwoTurrets, 13 | 14) => (AlarmName::Unspecified, MIRR_03),
+        _ => return Ok(()),
+    };
+    Err(Fault::about(name, rule, Label::of_code(b'G', code).as_str()))
+}
+
 /// E100L-MCODE-01, E100L-MTAB-01.
-fn add_m(given: &Given, words: &mut Words) -> Outcome<()> {
+fn add_m(given: &Given, state: &State, words: &mut Words) -> Outcome<()> {
     if words.m.len() == MOST_M_WORDS {
         return fail(AlarmName::TooManyM, FMT_06);
     }
@@ -270,15 +282,24 @@ fn add_m(given: &Given, words: &mut Words) -> Outcome<()> {
             let detail = Label::of_code(b'M', code);
             return Err(Fault::about(AlarmName::StatementMisplaced, MACRO_02, detail.as_str()));
         }
-        MCode::Later => {
-            return Err(Fault::about(AlarmName::NotModelled, MTAB_01, Label::of_code(b'M', code).as_str()));
-        }
         MCode::Unassigned => return fail(AlarmName::MCodeUnassigned, MTAB_01),
     }
+    with_turrets(code, state)?;
     let same_group = |other: u16| group_of(code).is_some_and(|group| group.codes.contains(&other));
     if words.m.iter().any(|other| *other == code || same_group(*other)) {
         return fail(AlarmName::MCodesConflict, MCODE_01);
     }
     words.m.push(code);
     Ok(())
+}
+
+/// E100L-MIRR-20, E100L-MCODE-09, E100L-MCODE-11: C axis and barriers with more than one turret.
+fn with_turrets(code: u16, state: &State) -> Outcome<()> {
+    let (name, rule) = match (state.setup.machine.r#type, code) {
+        (MachineType::TwoTurrets, 110) if state.turret() == Side::B => (AlarmName::Unspecified, MIRR_20),
+        (MachineType::TwoTurrets, 21) => (AlarmName::NotModelled, MCODE_09),
+        (MachineType::TwoTurrets, 25) => (AlarmName::NotModelled, MCODE_11),
+        _ => return Ok(()),
+    };
+    Err(Fault::about(name, rule, Label::of_code(b'M', code).as_str()))
 }

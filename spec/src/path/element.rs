@@ -273,6 +273,7 @@ pub fn event(
     rules: RuleSet,
     state: &State,
 ) -> Emission {
+    let rules = if state.frame.mirrored { rules.with(MIRR_05) } else { rules };
     let Some((feed, feed_rules)) = feed else { return Emission::new(Action::Rapid { motion }, rules) };
     let rules = rules.union(feed_rules);
     if let Shape::Arc { centre, sense } = shape {

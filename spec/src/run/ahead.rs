@@ -60,7 +60,9 @@ impl Run<'_> {
                 words
             }
             Content::Words(words) => words.as_ref().clone(),
-            Content::Nothing | Content::Name | Content::Communication(_) => return Ok(None),
+            Content::Nothing | Content::Name | Content::Turret(_) | Content::Communication(_) => {
+                return Ok(None);
+            }
         };
         let plan = modal::check(words, before, &self.state);
         plan.map(|plan| Some(Ahead { plan, place })).map_err(|fault| fault.of_block(place))

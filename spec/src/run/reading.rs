@@ -9,8 +9,9 @@ use crate::integer::steps;
 use crate::modal::Words;
 use crate::syntax::{Body, Communication, Heading, Item, Statement, heading, parse};
 use crate::task::Activation;
+use crate::turret::selected_by;
 use crate::vocabulary::rule_ids::*;
-use crate::vocabulary::{AlarmName, Label, Place, Setup};
+use crate::vocabulary::{AlarmName, Label, MachineType, Place, Setup, Side};
 
 /// A block that was read.
 pub struct Block {
@@ -30,6 +31,8 @@ pub enum Content {
     Name,
     /// Items, not evaluated yet; NOEX in front of them, or alone, does nothing (E100L-NOEX-01).
     Items(Vec<Item>),
+    /// It selects a turret (E100L-MIRR-03).
+    Turret(Vec<Side>),
     /// Words that look-ahead has evaluated.
     Words(Box<Words>),
     /// A statement that tells which block comes next.
@@ -126,12 +129,17 @@ impl<'a> Reader<'a> {
                 Content::Name
             }
             Body::Items(items) if items.is_empty() => Content::Name,
+            Body::Items(items) if self.selects_turret(&items) => Content::Turret(selected_by(&items)),
             Body::Items(items) | Body::Noex(items) => Content::Items(items),
             Body::Statement(statement) => Content::Statement(statement),
             Body::Communication(statement) => Content::Communication(statement),
         };
         self.next = behind;
         Ok(Block { place: *place, content, behind })
+    }
+
+    fn selects_turret(&self, items: &[Item]) -> bool {
+        self.setup.machine.r#type == MachineType::TwoTurrets && !selected_by(items).is_empty()
     }
 
     /// The block `index` places further in the program, those aside that look-ahead does not see; none where the

@@ -50,7 +50,8 @@ impl Run<'_> {
             ScheduleBlock::Select(selection) => self.select(&selection, start, *place, decided)?,
             ScheduleBlock::End => {
                 let end = Action::End { code: Label::new("END") };
-                decided.push((*place, Emission::new(end, RuleSet::of(&[SDF_20]))));
+                let event = Emission::new(end, RuleSet::of(&[SDF_20]));
+                decided.push((*place, event.of(self.state.side())));
                 return Ok(Progress::Ended);
             }
         }
@@ -76,7 +77,7 @@ impl Run<'_> {
         self.state.base = None;
         for mut event in emissions {
             event.set_variable_by(RuleSet::of(&[SDF_17]));
-            decided.push((place, event));
+            decided.push((place, event.of(self.state.side())));
         }
         result.map(|_| ())
     }
@@ -114,7 +115,8 @@ impl Run<'_> {
     /// A repetition of a selected program begins.
     fn repeat(&mut self, running: Running, decided: &mut Vec<(Place, Emission)>) {
         let start = running.selected.start;
-        decided.push(running.event());
+        let (place, event) = running.event();
+        decided.push((place, event.of(self.state.side())));
         self.calls = Calls::selected(start);
         self.reader.go_to(start);
         if let Some(schedule) = &mut self.schedule {

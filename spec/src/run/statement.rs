@@ -185,7 +185,7 @@ impl Run<'_> {
         let event = Emission::new(call, RuleSet::of(&[MODIN_02]))
             .rule_if(self.calls.modes.count() > 1, MODIN_06)
             .rule_if(self.calls.within_mode().is_some(), MODIN_07);
-        let mut stream = self.compensation.stream(*place, decided);
+        let mut stream = self.compensation.stream(*place, self.state.side(), decided);
         stream.emissions.push(event);
         self.compensation.end_of_statement(&mut stream);
         stream.close();
