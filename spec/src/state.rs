@@ -4,11 +4,12 @@ use crate::barrier::Watch;
 use crate::controls::e100l::g_codes::GGroup;
 use crate::controls::e100l::m_codes::GROUPS;
 use crate::controls::e100l::system_variables::Axis;
-use crate::frame::{Frame, Limits, TravelLimit};
+use crate::frame::{self, Frame, Limits, TravelLimit};
 use crate::path::Point;
+use crate::saddle::Saddle;
 use crate::task::Memory;
 use crate::turret::OwnData;
-use crate::vocabulary::{MachineType, Setup, Side, SpindleState};
+use crate::vocabulary::{Length, MachineType, Setup, Side, SpindleState};
 
 /// The state of a control.
 pub struct State<'a> {
@@ -44,6 +45,8 @@ pub struct State<'a> {
     pub base: Option<Base>,
     /// The data of the turret that is not selected, on a machine with two on one saddle.
     pub other_turret: Option<OwnData>,
+    /// Which of two saddles it is the state of.
+    pub saddle: Option<Saddle>,
     /// The end point of this block, when the block before had an angle alone.
     pub angle_target: Option<Point>,
 }
@@ -114,7 +117,29 @@ impl<'a> State<'a> {
             cut_last: false,
             base: None,
             other_turret: (setup.machine.r#type == MachineType::TwoTurrets).then(|| OwnData::of_b(setup)),
+            saddle: None,
             angle_target: None,
+        }
+    }
+
+    /// The state of a saddle at power-on, with its own data (E100L-AX4-11).
+    pub fn of_saddle(setup: &'a Setup, side: Side) -> Self {
+        let mut state = Self::new(setup);
+        state.saddle = Some(Saddle { side, alone: false, other_x: 0 });
+        if side == Side::B {
+            let data = &setup.turret_b;
+            OwnData::of_b(setup).exchange(&mut state);
+            (state.frame.machine.x, state.frame.machine.z) = (data.start.x.0, data.start.z.0);
+            (state.limits.x, state.limits.z) = (frame::limit(data.limits.x), frame::limit(data.limits.z));
+        }
+        state
+    }
+
+    /// Where the torque of each successive G22 block reaches its preset value.
+    pub fn torque_stops(&self) -> &'a [Length] {
+        match self.saddle {
+            Some(Saddle { side: Side::B, .. }) => &self.setup.turret_b.torque_stops,
+            _ => &self.setup.inputs.torque_stops,
         }
     }
 
@@ -140,7 +165,8 @@ impl<'a> State<'a> {
     pub fn side(&self) -> Option<Side> {
         match self.setup.machine.r#type {
             MachineType::TwoTurrets => Some(self.turret()),
-            MachineType::OneTurret | MachineType::TwoSaddles => None,
+            MachineType::TwoSaddles => self.saddle.map(|saddle| saddle.side),
+            MachineType::OneTurret => None,
         }
     }
 

@@ -7,7 +7,7 @@
 mod limits;
 
 pub use crate::integer::{Amounts, TravelLimit};
-pub use limits::Limits;
+pub use limits::{Limits, limit};
 
 use crate::integer::mirror;
 use crate::vocabulary::{Action, Position};

@@ -310,7 +310,7 @@ fn every_word_has_a_function(
     for other in &words.others {
         let taken = match other.address {
             None => calrg,
-            Some(Address::Letter(letter)) => b"ST".contains(&letter) || letters.contains(&letter),
+            Some(Address::Letter(letter)) => b"PST".contains(&letter) || letters.contains(&letter),
             Some(Address::Extended(name)) => ["SA", "SB"].contains(&name) || extended.contains(&name),
         };
         if !taken {

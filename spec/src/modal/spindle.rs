@@ -132,7 +132,7 @@ fn gear_range(state: &State) -> (i64, i64) {
 /// The event of a main spindle command: its state as it is now.
 pub fn main_event(rules: RuleSet, with_motion: bool, state: &State) -> Emission {
     let turning = matches!(state.spindle.main, SpindleState::Clockwise | SpindleState::CounterClockwise);
-    let computed = turning.then(|| speed(state.frame.program().x, state));
+    let computed = turning.then(|| speed(state.reference_x(), state));
     let cutting_speed = state.modes.cutting_speed();
     let spindle = Spindle {
         spindle: SpindleName::Main,

@@ -8,6 +8,7 @@ use crate::controls::e100l::units;
 use crate::emission::Emission;
 use crate::fault::{Fault, Outcome, fail};
 use crate::quantity::{self, Exact, ratio, whole};
+use crate::saddle::Commands;
 use crate::state::State;
 use crate::syntax::{Address, Item, ItemKind, Value};
 use crate::task;
@@ -32,6 +33,8 @@ pub struct Words {
     pub inch: bool,
     /// Whether the block has an assignment.
     pub assigns: bool,
+    /// Who carries its common words out, on a machine with two saddles.
+    pub commands: Commands,
 }
 
 /// A word other than G, M and F; `address` is none for CALRG.
@@ -168,6 +171,7 @@ fn amount(address: Address, given: &Given, setup: &Setup) -> Outcome<i64> {
             within(&(&given.value * units::length(system)), &-limit.clone(), &limit, ADDR_01)?;
             Ok(0)
         }
+        Address::Letter(b'P') => whole_number(given, 0, 9_999, PSYNC_01),
         Address::Letter(b'S') => whole_number(given, 0, 65_535, SPD_01),
         Address::Extended("SB") => whole_number(given, 0, 65_535, SB_01),
         Address::Extended("QA") => whole_number(given, 1, 1_999, CAX_06),
@@ -259,12 +263,14 @@ fn add_g(given: &Given, setup: &Setup, words: &mut Words) -> Outcome<()> {
     Ok(())
 }
 
-/// E100L-MIRR-01, E100L-MIRR-03: turret codes that a machine does not have, or not as a word among others.
+/// E100L-MIRR-01, E100L-MIRR-03, E100L-AX4-03: turret codes that a machine does not have, or not as a word among others.
 fn of_machine(code: u16, setup: &Setup) -> Outcome<()> {
     let (name, rule) = match (setup.machine.r#type, code) {
         (MachineType::OneTurret, 14 | 111) => (AlarmName::TurretMissing, MIRR_01),
         // Written as a plain number it makes its block another one.
         (MachineType::TwoTurrets, 13 | 14) => (AlarmName::Unspecified, MIRR_03),
+        // On two saddles it divides the text, if it stands alone.
+        (MachineType::TwoSaddles, 13 | 14) => (AlarmName::Unspecified, AX4_03),
         _ => return Ok(()),
     };
     Err(Fault::about(name, rule, Label::of_code(b'G', code).as_str()))
@@ -293,12 +299,13 @@ fn add_m(given: &Given, state: &State, words: &mut Words) -> Outcome<()> {
     Ok(())
 }
 
-/// E100L-MIRR-20, E100L-MCODE-09, E100L-MCODE-11: C axis and barriers with more than one turret.
+/// E100L-MIRR-20, E100L-AX4-12, E100L-MCODE-09, E100L-MCODE-11: C axis and barriers with more than one turret.
 fn with_turrets(code: u16, state: &State) -> Outcome<()> {
     let (name, rule) = match (state.setup.machine.r#type, code) {
         (MachineType::TwoTurrets, 110) if state.turret() == Side::B => (AlarmName::Unspecified, MIRR_20),
-        (MachineType::TwoTurrets, 21) => (AlarmName::NotModelled, MCODE_09),
-        (MachineType::TwoTurrets, 25) => (AlarmName::NotModelled, MCODE_11),
+        (MachineType::TwoSaddles, 110) => (AlarmName::Unspecified, AX4_12),
+        (MachineType::TwoTurrets | MachineType::TwoSaddles, 21) => (AlarmName::NotModelled, MCODE_09),
+        (MachineType::TwoTurrets | MachineType::TwoSaddles, 25) => (AlarmName::NotModelled, MCODE_11),
         _ => return Ok(()),
     };
     Err(Fault::about(name, rule, Label::of_code(b'M', code).as_str()))

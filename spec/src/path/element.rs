@@ -195,8 +195,12 @@ pub fn standing(c_travel: Option<i64>, state: &State) -> Motion {
     }
 }
 
-/// E100L-CSS-01, E100L-CSS-05: the motion event with the spindle speed at its end.
+/// E100L-CSS-01, E100L-CSS-05: the motion event with the spindle speed at its end. E100L-AX4-08: while the saddle moves
+/// that is not the reference, nobody knows where the other one is.
 pub fn with_speed(mut event: Emission, rapid: bool, state: &State) -> Emission {
+    if !state.is_reference() {
+        return event.rule_if(state.modes.cutting_speed(), AX4_08);
+    }
     match motion_speed(state.frame.program().x, state) {
         None => event,
         Some(speed) => {

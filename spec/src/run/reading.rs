@@ -3,7 +3,7 @@
 use std::collections::VecDeque;
 
 use super::programs::Programs;
-use super::texts::{Read, Spot};
+use super::texts::{Read, Spot, Texts};
 use crate::fault::{Fault, Outcome};
 use crate::integer::steps;
 use crate::modal::Words;
@@ -50,14 +50,14 @@ pub struct Reader<'a> {
     next: Spot,
     /// Blocks that were read ahead of their turn.
     waiting: VecDeque<Block>,
-    /// Blocks that the run has arrived at.
-    steps: u64,
+    /// How many blocks the run has arrived at.
+    pub steps: u64,
 }
 
 impl<'a> Reader<'a> {
     /// At the beginning of the main text.
-    pub fn new(main: &'a [u8], setup: &'a Setup) -> Self {
-        let programs = Programs::new(main, setup);
+    pub fn new(texts: Texts<'a>, setup: &'a Setup) -> Self {
+        let programs = Programs::new(texts, setup);
         let next = programs.texts().main_start();
         Self { programs, setup, next, waiting: VecDeque::new(), steps: 0 }
     }
@@ -68,16 +68,16 @@ impl<'a> Reader<'a> {
         self.next = next;
     }
 
-    /// The block at which the run arrives. The place is set as soon as it is known.
-    pub fn arrive(&mut self, program: &mut Activation, place: &mut Place) -> Outcome<Block> {
+    /// The block at which the run arrives; none at the end of the text. The place is set as soon as it is known.
+    pub fn arrive(&mut self, program: &mut Activation, place: &mut Place) -> Outcome<Option<Block>> {
         if let Some(block) = self.waiting.pop_front() {
             self.step(Place { sequence: Label::default(), ..block.place }, place)?;
             *place = block.place;
-            return Ok(block);
+            return Ok(Some(block));
         }
         let Some(read) = self.programs.texts().read(self.next)? else {
             *place = Place { program: program.name, ..self.programs.texts().end(self.next) };
-            return Err(end(program));
+            return Ok(None);
         };
         let here = Place { program: program.name, ..read.line.place };
         if program.began && self.begins_program(&read) {
@@ -86,11 +86,11 @@ impl<'a> Reader<'a> {
             return if program.caller.is_some() || program.selected {
                 Err(end(program))
             } else {
-                self.block(read, program, place)
+                self.block(read, program, place).map(Some)
             };
         }
         self.step(here, place)?;
-        self.block(read, program, place)
+        self.block(read, program, place).map(Some)
     }
 
     /// E100L-GOTO-03: one step more.
@@ -163,7 +163,7 @@ fn is_seen(block: &Block) -> bool {
 }
 
 /// The end of a program without RTS, M02 or M30.
-fn end(program: &Activation) -> Fault {
+pub fn end(program: &Activation) -> Fault {
     match program.caller {
         Some(_) => Fault::new(AlarmName::NoReturn, RTS_01),
         None => Fault::new(AlarmName::NoProgramEnd, PROG_02),

@@ -1,8 +1,9 @@
 //! A schedule program carried out: its own blocks, and the programs that it selects (E100L-SDF-01 to -20).
 
+use super::Progress;
 use super::Spot;
+use super::channel::Channel;
 use super::texts::Read;
-use super::{Progress, Run};
 use crate::controls::e100l::g_codes::GGroup;
 use crate::emission::Emission;
 use crate::fault::{Fault, Outcome, fail};
@@ -14,7 +15,7 @@ use crate::task::{self, Calls, Registration};
 use crate::vocabulary::rule_ids::*;
 use crate::vocabulary::{Action, AlarmName, Label, Place, RuleId, RuleSet};
 
-impl Run<'_> {
+impl Channel<'_> {
     /// Whether the block that comes next is one of the schedule program.
     pub(super) fn in_schedule(&self) -> bool {
         self.schedule.as_ref().is_some_and(|schedule| schedule.running.is_none())

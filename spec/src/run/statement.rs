@@ -1,6 +1,7 @@
 //! Statements carried out: jumps, calls, modes (execution.md, chapter 9).
 
-use super::{Program, Run, Spot};
+use super::channel::Channel;
+use super::{Program, Spot};
 use crate::compensation::Stream;
 use crate::emission::Emission;
 use crate::fault::{Fault, Outcome};
@@ -19,7 +20,7 @@ pub struct Carried {
     pub behind: Spot,
 }
 
-impl Run<'_> {
+impl Channel<'_> {
     /// Carries a statement out.
     pub(super) fn statement(
         &mut self,
