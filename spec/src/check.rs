@@ -92,13 +92,19 @@ fn grammar_faults(program: &[u8], setup: &Setup) -> Vec<Diagnostic> {
         }
         match body {
             Ok(Body::ProgramName(name)) => program_name = name,
-            Ok(Body::Items(items)) if sides.is_none() && items.iter().any(ends_program) => {
+            Ok(Body::Items(items)) if sides.is_none() && ends(&items, setup) => {
                 return diagnostics;
             }
             Ok(_) => {}
             Err(fault) => diagnostics.push(Diagnostic::new(&fault, place)),
         }
     }
+}
+
+/// E100L-MIRR-03: what stands with a turret code does nothing.
+fn ends(items: &[Item], setup: &Setup) -> bool {
+    let ignored = setup.machine.r#type == MachineType::TwoTurrets && !selected_by(items).is_empty();
+    !ignored && items.iter().any(ends_program)
 }
 
 /// How far the programs of two saddles reach: what stands behind the end of a side is no part of its program.

@@ -1,13 +1,14 @@
 //! What a block as a whole must satisfy before anything of it is carried out.
 
 use super::compensation;
+use super::machine::check_reference;
 use super::words::Words;
 use crate::controls::e100l::g_codes::{GCode, GGroup, g_code};
 use crate::fault::{Fault, Outcome, fail};
 use crate::state::{Modes, State};
 use crate::syntax::Address;
 use crate::vocabulary::rule_ids::*;
-use crate::vocabulary::{AlarmName, Chamfering, Label, MachineType, Setup};
+use crate::vocabulary::{AlarmName, Chamfering, Label, Setup};
 
 /// A block that can be carried out.
 #[derive(Clone, Debug)]
@@ -83,7 +84,7 @@ pub fn check(words: Words, before: Before, state: &State) -> Outcome<Plan> {
     if (words.has_g(96) || words.has_g(97)) && !has_speed {
         return fail(AlarmName::CuttingSpeedMissing, CSS_03);
     }
-    reference_turret(&words, modes, setup)?;
+    check_reference(&words, modes, setup)?;
     let mut moves = false;
     match one_shot {
         Some(4) => dwell(&words)?,
@@ -143,17 +144,6 @@ fn stands_alone(words: &Words) -> Outcome<()> {
         Some((_, rule)) => fail(AlarmName::NotAlone, *rule),
         None => Ok(()),
     }
-}
-
-/// E100L-MIRR-19: G96 takes the X of the turret that is selected.
-fn reference_turret(words: &Words, modes: Modes, setup: &Setup) -> Outcome<()> {
-    let decides = [96, 110, 111].into_iter().any(|code| words.has_g(code)) && modes.cutting_speed();
-    let own = if modes.get(GGroup::Turret) == 14 { 111 } else { 110 };
-    let code = modes.get(GGroup::CssTurret);
-    if setup.machine.r#type == MachineType::TwoTurrets && decides && code != own {
-        return Err(Fault::about(AlarmName::Unspecified, MIRR_19, Label::of_code(b'G', code).as_str()));
-    }
-    Ok(())
 }
 
 /// E100L-DWELL-01.

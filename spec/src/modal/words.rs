@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 
+use super::machine;
 use crate::controls::e100l::g_codes::{GCode, GGroup, g_code};
 use crate::controls::e100l::m_codes::{MCode, group_of, m_code};
 use crate::controls::e100l::units;
@@ -13,7 +14,7 @@ use crate::state::State;
 use crate::syntax::{Address, Item, ItemKind, Value};
 use crate::task;
 use crate::vocabulary::rule_ids::*;
-use crate::vocabulary::{AlarmName, InchConversion, Label, MachineType, RuleId, Setup, Side};
+use crate::vocabulary::{AlarmName, InchConversion, Label, RuleId, Setup};
 
 /// E100L-FMT-06.
 const MOST_M_WORDS: usize = 8;
@@ -252,7 +253,7 @@ fn add_g(given: &Given, setup: &Setup, words: &mut Words) -> Outcome<()> {
         GCode::Unspecified => return Err(Fault::about(AlarmName::Unspecified, GTAB_01, detail.as_str())),
         GCode::Unassigned => return fail(AlarmName::GCodeUnassigned, GTAB_01),
     };
-    of_machine(code, setup)?;
+    machine::has_g(code, setup)?;
     if code == 90 && words.has_g(91) || code == 91 && words.has_g(90) {
         return fail(AlarmName::AbsoluteAndIncremental, ABS_04);
     }
@@ -261,19 +262,6 @@ fn add_g(given: &Given, setup: &Setup, words: &mut Words) -> Outcome<()> {
     }
     words.g.push(code);
     Ok(())
-}
-
-/// E100L-MIRR-01, E100L-MIRR-03, E100L-AX4-03: turret codes that a machine does not have, or not as a word among others.
-fn of_machine(code: u16, setup: &Setup) -> Outcome<()> {
-    let (name, rule) = match (setup.machine.r#type, code) {
-        (MachineType::OneTurret, 14 | 111) => (AlarmName::TurretMissing, MIRR_01),
-        // Written as a plain number it makes its block another one.
-        (MachineType::TwoTurrets, 13 | 14) => (AlarmName::Unspecified, MIRR_03),
-        // On two saddles it divides the text, if it stands alone.
-        (MachineType::TwoSaddles, 13 | 14) => (AlarmName::Unspecified, AX4_03),
-        _ => return Ok(()),
-    };
-    Err(Fault::about(name, rule, Label::of_code(b'G', code).as_str()))
 }
 
 /// E100L-MCODE-01, E100L-MTAB-01.
@@ -290,23 +278,11 @@ fn add_m(given: &Given, state: &State, words: &mut Words) -> Outcome<()> {
         }
         MCode::Unassigned => return fail(AlarmName::MCodeUnassigned, MTAB_01),
     }
-    with_turrets(code, state)?;
+    machine::has_m(code, state)?;
     let same_group = |other: u16| group_of(code).is_some_and(|group| group.codes.contains(&other));
     if words.m.iter().any(|other| *other == code || same_group(*other)) {
         return fail(AlarmName::MCodesConflict, MCODE_01);
     }
     words.m.push(code);
     Ok(())
-}
-
-/// E100L-MIRR-20, E100L-AX4-12, E100L-MCODE-09, E100L-MCODE-11: C axis and barriers with more than one turret.
-fn with_turrets(code: u16, state: &State) -> Outcome<()> {
-    let (name, rule) = match (state.setup.machine.r#type, code) {
-        (MachineType::TwoTurrets, 110) if state.turret() == Side::B => (AlarmName::Unspecified, MIRR_20),
-        (MachineType::TwoSaddles, 110) => (AlarmName::Unspecified, AX4_12),
-        (MachineType::TwoTurrets | MachineType::TwoSaddles, 21) => (AlarmName::NotModelled, MCODE_09),
-        (MachineType::TwoTurrets | MachineType::TwoSaddles, 25) => (AlarmName::NotModelled, MCODE_11),
-        _ => return Ok(()),
-    };
-    Err(Fault::about(name, rule, Label::of_code(b'M', code).as_str()))
 }

@@ -1,13 +1,14 @@
 //! The items of a block: words, assignments, the mnemonic.
 
 use super::cursor::{Cursor, is_blank_after, is_blank_before};
+use super::saddles::{has_two_saddles, is_described};
 use super::tree::{Address, BinaryOperator, Expression, Function, Item, ItemKind, Value, Variable};
 use super::{expression, number, string};
 use crate::controls::e100l::addresses::{EXTENDED, EXTENDED_LATER, LETTERS, OPERATOR_WORDS, STATEMENTS};
 use crate::controls::e100l::system_variables::{self, Quantity, SystemVariable};
 use crate::fault::{Fault, Outcome, fail};
 use crate::vocabulary::rule_ids::*;
-use crate::vocabulary::{AlarmName, Label, MachineType, RuleId, Setup};
+use crate::vocabulary::{AlarmName, Label, RuleId, Setup};
 
 /// Reads items to the end of the block.
 pub fn items(cursor: &mut Cursor, setup: &Setup) -> Outcome<Vec<Item>> {
@@ -112,21 +113,8 @@ pub fn local_name(run: &str) -> Outcome<Label> {
 /// A local variable.
 pub fn local_variable(run: &str, setup: &Setup) -> Outcome<Variable> {
     let name = local_name(run)?;
-    has_variables(name.as_str(), setup)?;
+    is_described(name.as_str(), setup)?;
     Ok(Variable::Local(name))
-}
-
-/// E100L-AX4-12: whose a variable would be on a machine with two saddles is told nowhere.
-fn has_variables(name: &str, setup: &Setup) -> Outcome<()> {
-    if has_two_saddles(setup) {
-        return Err(Fault::about(AlarmName::Unspecified, AX4_12, name));
-    }
-    Ok(())
-}
-
-/// Whether the machine has two saddles.
-pub fn has_two_saddles(setup: &Setup) -> bool {
-    setup.machine.r#type == MachineType::TwoSaddles
 }
 
 /// E100L-FMT-01, E100L-FMT-02, E100L-FMT-03: the value of a word.
@@ -187,7 +175,7 @@ fn operator_follows(cursor: &mut Cursor) -> Outcome<bool> {
 /// E100L-AEXP-01: a variable, `=` and an expression, or a string for the comment of user alarms (E100L-VUACM-01).
 fn assignment(cursor: &mut Cursor, setup: &Setup) -> Outcome<ItemKind> {
     if cursor.run() == system_variables::COMMENT {
-        has_variables(system_variables::COMMENT, setup)?;
+        is_described(system_variables::COMMENT, setup)?;
         return string::comment(cursor, setup);
     }
     let target = variable(cursor, setup, Role::Written)?;
@@ -236,7 +224,7 @@ pub fn variable(cursor: &mut Cursor, setup: &Setup, role: Role) -> Outcome<Varia
         return common_variable(name, setup);
     }
     if system_variables::is_known(&run) {
-        has_variables(&run, setup)?;
+        is_described(&run, setup)?;
     }
     let Some(system) = system_variables::MODELLED.iter().find(|each| each.name == run) else {
         if run == system_variables::UNIT_SYSTEM {
@@ -269,7 +257,7 @@ fn common_variable(digits: &str, setup: &Setup) -> Outcome<Variable> {
     }
     match digits.parse::<u8>() {
         Ok(number) if digits.len() <= 3 && (1..=200).contains(&number) => {
-            has_variables(&format!("V{number}"), setup)?;
+            is_described(&format!("V{number}"), setup)?;
             Ok(Variable::Common(number))
         }
         _ => fail(AlarmName::VariableNumber, CVAR_01),

@@ -4,7 +4,8 @@ use super::communication::communication;
 use super::cursor::{Cursor, is_blank_after};
 use super::expression::{close_bracket, expression, is_reserved};
 use super::grammar::{called_name, sequence_name};
-use super::items::{self, has_two_saddles, local_name};
+use super::items::{self, local_name};
+use super::saddles::is_described;
 use super::tree::{Address, Body, Callee, Condition, Function, Item, ItemKind, Statement, Value};
 use crate::controls::e100l::addresses::{DELIMITED, OF_SCHEDULES, STATEMENTS};
 use crate::controls::e100l::macros::{self, Macro};
@@ -66,14 +67,6 @@ fn of_keyword(keyword: &str, cursor: &mut Cursor, setup: &Setup) -> Outcome<Body
         }
         _ => return settings(cursor, setup, NOEX_01).map(Body::Noex),
     }))
-}
-
-/// E100L-AX4-12: what a statement does on a machine with two saddles is told nowhere.
-fn is_described(statement: &str, setup: &Setup) -> Outcome<()> {
-    if has_two_saddles(setup) {
-        return Err(Fault::about(AlarmName::Unspecified, AX4_12, statement));
-    }
-    Ok(())
 }
 
 /// E100L-CTL-03: what follows a keyword is a blank or the end of the block.
