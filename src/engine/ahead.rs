@@ -61,7 +61,8 @@ impl Interpreter<'_> {
         if let Some(control) = control.filter(|control| !control.is_transfer()) {
             return Err(Fault::about(AlarmName::Unspecified, rule, control.word()));
         }
-        if !found || slot.parsed.has_assignment || control.is_some() {
+        let turret = found && self.is_turret_block(&slot.parsed);
+        if !found || slot.parsed.has_assignment || control.is_some() || turret {
             self.fault_place = Some(need.place);
             return Err(unfit);
         }

@@ -100,6 +100,7 @@ impl Interpreter<'_> {
         if speed_mode && (!words.has(Address::S) || one_shot == OneShot::ZeroShift) {
             return Fault::raise(AlarmName::CuttingSpeedMissing, CSS_03);
         }
+        self.check_speed_turret(words)?;
         self.check_one_shot(words, one_shot, motion, after_angle)?;
         let arc = motion >= 2;
         let moving_words = if arc { AXES | ARC } else { AXES };

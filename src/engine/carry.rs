@@ -113,6 +113,11 @@ impl Interpreter<'_> {
                 flag(&mut state.constant_speed, false),
                 with!(CSS_02),
             ),
+            110 | 111 => {
+                let changed = flag(&mut state.speed_by_b, code == 111);
+                let rules = if self.turret.is_some() { with!(MIRR_19) } else { with!(AX4_08) };
+                (const { Label::new("css_turret") }, 221 - code, changed, rules)
+            }
             _ => return,
         };
         if changed {
@@ -245,6 +250,7 @@ impl Interpreter<'_> {
             (state.incremental, "dimension", 90, 91, const { RuleSet::of(&[MCODE_04, ABS_01]) }),
             (state.per_minute, "feed_unit", 95, 94, const { RuleSet::of(&[MCODE_04, FEED_01]) }),
             (state.constant_speed, "cutting_speed", 97, 96, const { RuleSet::of(&[MCODE_04]) }),
+            (state.speed_by_b, "css_turret", 110, 111, const { RuleSet::of(&[MCODE_04]) }),
             (droop, "droop", 64, 65, const { RuleSet::of(&[MCODE_04]) }),
             (
                 state.compensation != 40,
@@ -259,6 +265,10 @@ impl Interpreter<'_> {
             if changed {
                 self.emit_mode(sink, Label::new(group), code, previous, rules);
             }
+        }
+        self.state.speed_by_b = false;
+        if self.turret.is_some() {
+            return self.reset_turrets(sink);
         }
         if std::mem::take(&mut self.state.zero_shift) != [0; 4] {
             self.emit_frame(sink, FrameCause::ZeroShift, const { RuleSet::of(&[G50_05, SVAR_02]) });

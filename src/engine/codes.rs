@@ -23,7 +23,7 @@ pub enum Status {
 pub enum GGroup {
     /// G00 to G03.
     Motion,
-    /// G13.
+    /// G13, G14.
     Turret,
     /// G17, G18, G119.
     Plane,
@@ -37,7 +37,7 @@ pub enum GGroup {
     FeedUnit,
     /// G96, G97.
     CuttingSpeed,
-    /// G110.
+    /// G110, G111.
     SpeedTurret,
     /// G04 G22 G28 G29 G50 G75 G76, of which a block has one.
     OneShot,
@@ -107,14 +107,14 @@ pub fn g_group(code: u16) -> Option<GGroup> {
     Some(match code {
         0..=3 => GGroup::Motion,
         4 | 22 | 28 | 29 | 50 | 75 | 76 => GGroup::OneShot,
-        13 => GGroup::Turret,
+        13 | 14 => GGroup::Turret,
         17 | 18 | 119 => GGroup::Plane,
         40..=42 => GGroup::Compensation,
         64 | 65 => GGroup::Droop,
         90 | 91 => GGroup::Dimension,
         94 | 95 => GGroup::FeedUnit,
         96 | 97 => GGroup::CuttingSpeed,
-        110 => GGroup::SpeedTurret,
+        110 | 111 => GGroup::SpeedTurret,
         _ => return None,
     })
 }
@@ -153,7 +153,6 @@ fn within(ranges: &[(u16, u16)], code: u16) -> bool {
 #[must_use]
 pub fn m_code(code: u16) -> Status {
     match code {
-        100 => Status::NotModelled,
         _ if is_m_macro(code) => Status::NotModelled,
         _ if within(&M_ASSIGNED, code) => Status::Modelled,
         _ => Status::Unassigned,
@@ -258,6 +257,7 @@ pub fn m_rules(code: u16) -> RuleSet {
         83 | 84 => const { one(MCODE_21) },
         85 => const { one(MCODE_22) },
         86 | 87 => const { one(MCODE_23) },
+        100 => const { one(M100_06) },
         109 | 110 => const { one(MCODE_24) },
         136 => const { one(MCODE_26) },
         140 => const { one(MCODE_27) },

@@ -45,7 +45,7 @@ impl Interpreter<'_> {
     fn word(&self, words: &mut Words, address: Address, number: Number) -> Result<(), Fault> {
         match address {
             Address::G => return self.g_word(words, number),
-            Address::M => return m_word(words, number),
+            Address::M => return self.m_word(words, number),
             _ => {}
         }
         let passed = planted::is(Bug::DuplicateFeed) && address == Address::F;
@@ -130,7 +130,10 @@ impl Interpreter<'_> {
         let code = code_number(number, 999, ADDR_01)?;
         let detail = || Label::of_code(b'G', code);
         let group = match codes::g_code(code) {
-            Status::Modelled => codes::g_group(code).unwrap_or(GGroup::OneShot),
+            Status::Modelled => {
+                self.check_turret_code(code)?;
+                codes::g_group(code).unwrap_or(GGroup::OneShot)
+            }
             Status::Unspecified => return Err(Fault::about(AlarmName::Unspecified, GTAB_01, detail())),
             Status::NotModelled if codes::is_g_macro(code) => {
                 return Err(Fault::about(AlarmName::StatementMisplaced, MACRO_01, detail()));
@@ -147,6 +150,26 @@ impl Interpreter<'_> {
             } else {
                 Fault::raise(AlarmName::GCodesConflict, GCODE_04)
             };
+        }
+        Ok(())
+    }
+
+    /// An M word.
+    fn m_word(&self, words: &mut Words, number: Number) -> Result<(), Fault> {
+        if !words.has_room_for_m() {
+            return Fault::raise(AlarmName::TooManyM, FMT_06);
+        }
+        let code = code_number(number, 511, MCODE_01)?;
+        match codes::m_code(code) {
+            Status::Modelled => self.check_machine_m_code(code)?,
+            Status::Unassigned => return Fault::raise(AlarmName::MCodeUnassigned, MTAB_01),
+            Status::NotModelled | Status::Unspecified => {
+                let detail = Label::of_code(b'M', code);
+                return Err(Fault::about(AlarmName::StatementMisplaced, MACRO_02, detail));
+            }
+        }
+        if !words.add_m(code, codes::m_group_number(code)) {
+            return Fault::raise(AlarmName::MCodesConflict, MCODE_01);
         }
         Ok(())
     }
@@ -220,34 +243,6 @@ pub fn push_number(label: &mut Label, number: u32) {
         push_number(label, number / 10);
     }
     label.push(b'0' + u8::try_from(number % 10).unwrap_or(0));
-}
-
-/// An M word.
-fn m_word(words: &mut Words, number: Number) -> Result<(), Fault> {
-    if !words.has_room_for_m() {
-        return Fault::raise(AlarmName::TooManyM, FMT_06);
-    }
-    let code = code_number(number, 511, MCODE_01)?;
-    match codes::m_code(code) {
-        Status::Modelled => {}
-        Status::Unassigned => return Fault::raise(AlarmName::MCodeUnassigned, MTAB_01),
-        Status::NotModelled if codes::is_m_macro(code) => {
-            let detail = Label::of_code(b'M', code);
-            return Err(Fault::about(AlarmName::StatementMisplaced, MACRO_02, detail));
-        }
-        Status::NotModelled | Status::Unspecified => {
-            let rule = match code {
-                21 => MCODE_09,
-                25 => MCODE_11,
-                _ => MTAB_01,
-            };
-            return Err(Fault::about(AlarmName::NotModelled, rule, Label::of_code(b'M', code)));
-        }
-    }
-    if !words.add_m(code, codes::m_group_number(code)) {
-        return Fault::raise(AlarmName::MCodesConflict, MCODE_01);
-    }
-    Ok(())
 }
 
 #[inline]

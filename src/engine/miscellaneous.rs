@@ -86,12 +86,15 @@ impl Interpreter<'_> {
     fn m_code(&mut self, code: u16, words: &Words, plan: Plan, sink: &mut impl Sink) -> Result<(), Fault> {
         match code {
             3 | 4 | 5 | 19 => {
-                let (state, rules) = match code {
+                let (mut state, mut rules) = match code {
                     3 => (SpindleState::Clockwise, const { RuleSet::of(&[MCODE_05, SPD_04]) }),
                     4 => (SpindleState::CounterClockwise, const { RuleSet::of(&[MCODE_05, SPD_04]) }),
                     5 => (SpindleState::Stop, const { RuleSet::of(&[MCODE_05]) }),
                     _ => (SpindleState::Orient, const { RuleSet::of(&[MCODE_08]) }),
                 };
+                if self.turret.is_some() && matches!(code, 3 | 4) {
+                    (state, rules) = self.turning(state, rules)?;
+                }
                 self.state.spindle = state;
                 let (rules, with_motion) = answer(words, plan, rules);
                 self.emit_main_spindle(sink, rules, with_motion, None);

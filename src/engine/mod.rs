@@ -24,6 +24,7 @@ mod expression;
 mod fault;
 mod functions;
 mod items;
+mod machine;
 mod miscellaneous;
 mod motion;
 mod names;
@@ -42,11 +43,12 @@ mod task;
 mod text;
 mod tool_data;
 mod torque;
+mod turrets;
 mod variables;
 mod words;
 
 use turnspec_oracle::vocabulary::{
-    Action, Alarm, AlarmName, Ending, Event, Place, Reading, ReadingSet, Readings, RuleSet, Setup, Sink,
+    Action, Alarm, AlarmName, Ending, Event, Place, Reading, ReadingSet, Readings, RuleSet, Setup, Side, Sink,
 };
 
 pub use exact::SlowPaths;
@@ -66,6 +68,7 @@ use slot::Slot;
 use state::State;
 use task::{Task, Turn};
 use text::Reader;
+use turrets::Turret;
 use words::Operand;
 
 /// A run of the engine, block by block.
@@ -92,6 +95,10 @@ pub struct Interpreter<'a> {
     /// Whether the block in progress has a length word in inches.
     inch_block: bool,
     state: State,
+    /// The turret that is selected, on machines with two on one saddle.
+    turret: Option<Side>,
+    /// The data of the turret that is not selected.
+    idle_turret: Option<Box<Turret>>,
     task: Task<'a>,
     compensation: Compensation,
     communication: Communication<'a>,
@@ -158,6 +165,8 @@ impl<'a> Interpreter<'a> {
             fault_place: None,
             inch_block: false,
             state: State::new(setup),
+            turret: turrets::first(setup),
+            idle_turret: turrets::second(setup),
             task: Task::new(program, setup.limits.steps),
             compensation: Compensation::default(),
             communication: Communication::default(),
@@ -230,6 +239,9 @@ impl<'a> Interpreter<'a> {
             if let Some(control) = slot.parsed.control {
                 return self.carry_out_statement(&slot.parsed, control, sink);
             }
+            if self.is_turret_block(&slot.parsed) {
+                return self.turret_block(&slot.parsed, sink).map(|()| None);
+            }
             self.inch_block = slot.parsed.has_length && self.units.inch;
             self.evaluate(slot, sink)?;
         }
@@ -243,7 +255,13 @@ impl<'a> Interpreter<'a> {
 
     #[inline(always)]
     fn emit_with(&mut self, sink: &mut impl Sink, rules: RuleSet, readings: ReadingSet, action: Action) {
-        self.hand_over(sink, Event::new(self.ordinal + 1, self.place, rules, readings, action));
+        self.hand_over(sink, self.event(self.place, rules, readings, action));
+    }
+
+    /// The next event, if no other comes before it.
+    #[inline(always)]
+    fn event(&self, place: Place, rules: RuleSet, readings: ReadingSet, action: Action) -> Event {
+        Event { turret: self.turret, ..Event::new(self.ordinal + 1, place, rules, readings, action) }
     }
 
     /// Hands an event to the sink, or holds it.

@@ -8,7 +8,7 @@ use turnspec_oracle::vocabulary::{
 
 use super::Interpreter;
 use super::arithmetic::feed::{self, Measure};
-use super::arithmetic::frame::{coordinate, to_machine};
+use super::arithmetic::frame::coordinate;
 use super::arithmetic::limit::{Limited, in_range, limited};
 use super::arithmetic::root::root_over;
 use super::arithmetic::turn;
@@ -75,6 +75,7 @@ impl Interpreter<'_> {
             .and_if(turns || words.has(Address::C), cite::CAX_05)
             .and_if(turns, cite::CAX_06)
             .and_if(self.inch_block, cite::INCH_02)
+            .and_if(self.is_mirrored(), cite::MIRR_05)
     }
 
     /// The rules of the feed mode in force.
@@ -139,7 +140,7 @@ impl Interpreter<'_> {
         let is_arc = matches!(kind, Kind::Arc { .. });
         for (axis, target) in [(X, x), (Z, z), (W, w)] {
             if let Some(target) = target {
-                let machine = to_machine(target, self.state.frame(axis));
+                let machine = self.state.to_machine(axis, target);
                 end[axis] = machine;
                 if !limited && self.limit(axis, &mut end[axis], is_arc)? {
                     cites = cites.and(cite::LIM_01);
@@ -275,7 +276,7 @@ impl Interpreter<'_> {
         let negative = self.state.c_negative;
         let turns = if planted::is(Bug::TurnsOfNegativeSense) && negative { -turns } else { turns };
         let travel = turn::travel(present, target, turns, negative);
-        let machine = to_machine(target, self.state.frame(C));
+        let machine = self.state.to_machine(C, target);
         let machine = if planted::is(Bug::CWrap) { machine } else { turn::within(machine) };
         Ok(Turn { travel, machine })
     }

@@ -1,13 +1,15 @@
 //! What a control remembers from block to block.
 
 use turnspec_oracle::vocabulary::{
-    CuttingSpeed, FeedUnit, Length, Limit, Setup, SpindleState, ToolOffsetSign,
+    CuttingSpeed, FeedUnit, Length, Limit, NoseRadius, Setup, Side, SpindleState, ToolOffset, ToolOffsetSign,
 };
 
+use super::arithmetic::plane::Point;
 use super::arithmetic::{frame, turn};
 use super::barriers::Watch;
 use super::planted::{self, Bug};
 use super::tool_data::{self, ToolTable};
+use super::turrets::Turret;
 
 /// Amounts of the four axes in nanometres and micro-degrees, X as a diameter; by [`super::system::Axis`].
 pub type Amounts = [i64; 4];
@@ -46,6 +48,8 @@ pub struct Base {
 pub struct State {
     /// Machine position of the programmed point; C in [0, 360).
     pub machine: Amounts,
+    /// 1, or -1 where machine X is mirrored (E100L-MIRR-05).
+    pub x_sense: i64,
     pub zero_offset: Amounts,
     pub zero_shift: Amounts,
     pub tool_offsets: [[i64; 2]; TABLE],
@@ -67,6 +71,8 @@ pub struct State {
     pub incremental: bool,
     pub per_minute: bool,
     pub constant_speed: bool,
+    /// G111: the cutting speed is that of turret B.
+    pub speed_by_b: bool,
     pub droop_control: bool,
     /// G17, G18 or G119.
     pub plane: u16,
@@ -81,6 +87,8 @@ pub struct State {
     pub clamp: Option<i64>,
     pub tool_speed: i64,
     pub spindle: SpindleState,
+    /// The turret that was selected at the M03 or M04 that is in force.
+    pub started_by: Option<Side>,
     pub tool_spindle: SpindleState,
     /// M code of the gear, 0 for none.
     pub gear: u16,
@@ -110,18 +118,6 @@ pub struct State {
 impl State {
     /// The state at power-on.
     pub fn new(setup: &Setup) -> Self {
-        let mut tool_offsets = [[0; 2]; TABLE];
-        for entry in &setup.tool_offset {
-            if let Some(slot) = tool_offsets.get_mut(usize::from(entry.number)) {
-                *slot = [entry.x.0, entry.z.0];
-            }
-        }
-        let mut nose_radii = [[0; 2]; TABLE];
-        for entry in &setup.nose_radius {
-            if let Some(slot) = nose_radii.get_mut(usize::from(entry.number)) {
-                *slot = [entry.x.0, entry.z.0];
-            }
-        }
         let mut common = Box::new([0.0; 201]);
         for (name, value) in &setup.variables {
             let number = name.strip_prefix('V').and_then(|digits| digits.parse::<usize>().ok());
@@ -134,6 +130,7 @@ impl State {
         let metres = |length: Option<Length>| length.map(|length| length.0);
         let b = &setup.barriers;
         Self {
+            x_sense: 1,
             machine: [setup.start.x.0, setup.start.z.0, turn::within(setup.start.c.0), setup.start.w.0],
             zero_offset: [
                 setup.zero_offset.x.0,
@@ -142,8 +139,8 @@ impl State {
                 setup.zero_offset.w.0,
             ],
             zero_shift: [0; 4],
-            tool_offsets,
-            nose_radii,
+            tool_offsets: tool_offsets(&setup.tool_offset),
+            nose_radii: nose_radii(&setup.nose_radius),
             offset_sign: if setup.readings.tool_offset == ToolOffsetSign::Added { 1 } else { -1 },
             positive_limits: axes.map(|limit| metres(limit.positive)),
             negative_limits: axes.map(|limit| metres(limit.negative)),
@@ -167,6 +164,7 @@ impl State {
             incremental: false,
             per_minute: false,
             constant_speed: false,
+            speed_by_b: false,
             droop_control: false,
             plane: 18,
             compensation: 40,
@@ -176,6 +174,7 @@ impl State {
             clamp: None,
             tool_speed: 0,
             spindle: SpindleState::Stop,
+            started_by: None,
             tool_spindle: SpindleState::Stop,
             gear: 0,
             tool_gear: 0,
@@ -214,12 +213,68 @@ impl State {
     /// The present program coordinate of an axis; C in [0, 360).
     #[inline]
     pub fn program(&self, axis: usize) -> i64 {
-        let value = frame::to_program(self.machine[axis], self.frame(axis));
+        let value = self.to_program(axis, self.machine[axis]);
         if axis == C { turn::within(value) } else { value }
+    }
+
+    /// The program coordinate of a machine coordinate.
+    #[inline]
+    pub fn to_program(&self, axis: usize, machine: i64) -> i64 {
+        frame::to_program(self.mirrored(axis, machine), self.frame(axis))
+    }
+
+    /// The machine coordinate of a program coordinate.
+    #[inline]
+    pub fn to_machine(&self, axis: usize, program: i64) -> i64 {
+        self.mirrored(axis, frame::to_machine(program, self.frame(axis)))
+    }
+
+    /// A way along an axis of the machine as the program sees it, and the other way round (E100L-MIRR-05).
+    #[inline]
+    pub fn mirrored(&self, axis: usize, way: i64) -> i64 {
+        if axis == X { way.wrapping_mul(self.x_sense) } else { way }
+    }
+
+    /// A way in the plane along the axes of the machine.
+    pub fn machine_way(&self, way: Point) -> Point {
+        Point { x: self.mirrored(X, way.x), ..way }
+    }
+
+    /// The data of the selected turret make way for those of another one.
+    pub fn exchange_turret(&mut self, other: &mut Turret) {
+        for axis in [X, Z] {
+            std::mem::swap(&mut self.zero_offset[axis], &mut other.zero_offset[axis]);
+            std::mem::swap(&mut self.zero_shift[axis], &mut other.zero_shift[axis]);
+        }
+        std::mem::swap(&mut self.tool_offsets, &mut other.tool_offsets);
+        std::mem::swap(&mut self.nose_radii, &mut other.nose_radii);
+        std::mem::swap(&mut self.tool, &mut other.tool);
+        std::mem::swap(&mut self.offset, &mut other.offset);
+        std::mem::swap(&mut self.nose, &mut other.nose);
     }
 
     /// The unit of the feed mode in force.
     pub fn feed_unit(&self) -> FeedUnit {
         if self.per_minute { FeedUnit::PerMinute } else { FeedUnit::PerRevolution }
     }
+}
+
+/// The table of some tool offsets.
+pub fn tool_offsets(entries: &[ToolOffset]) -> [[i64; 2]; TABLE] {
+    table(entries.iter().map(|entry| (entry.number, entry.x, entry.z)))
+}
+
+/// The table of some nose radius data.
+pub fn nose_radii(entries: &[NoseRadius]) -> [[i64; 2]; TABLE] {
+    table(entries.iter().map(|entry| (entry.number, entry.x, entry.z)))
+}
+
+fn table(entries: impl Iterator<Item = (u8, Length, Length)>) -> [[i64; 2]; TABLE] {
+    let mut table = [[0; 2]; TABLE];
+    for (number, x, z) in entries {
+        if let Some(slot) = table.get_mut(usize::from(number)) {
+            *slot = [x.0, z.0];
+        }
+    }
+    table
 }

@@ -10,7 +10,6 @@ use turnspec_oracle::vocabulary::rule_ids as rules;
 use turnspec_oracle::vocabulary::{AlarmName, BarrierPath, Label, ReadingSet};
 
 use super::Interpreter;
-use super::arithmetic::frame::to_program;
 use super::arithmetic::plane::Point;
 use super::arithmetic::rectangle::Rectangle;
 use super::arithmetic::{area, segment};
@@ -70,7 +69,7 @@ impl Interpreter<'_> {
     ) -> Result<(), Fault> {
         let [x, z] = match planted::is(Bug::MachineEnd) {
             true => [end[X], end[Z]],
-            false => [X, Z].map(|axis| to_program(end[axis], self.state.frame(axis))),
+            false => [X, Z].map(|axis| self.state.to_program(axis, end[axis])),
         };
         let path = Path::of(kind, self.present(), Point { x, z }, self.setup.readings.barrier_path);
         let (machine, variables) = (&self.setup.barriers, &self.state.barriers);

@@ -139,6 +139,7 @@ impl Interpreter<'_> {
 
     /// The rules of a line that its block has no words for.
     fn line_cites(&self, cites: Cites) -> Cites {
+        let cites = cites.and_if(self.is_mirrored(), cite::MIRR_05);
         let cites =
             cites.and(cite::COORD_03).and(if self.state.incremental { cite::ABS_02 } else { cite::ABS_01 });
         if self.state.motion == 0 {

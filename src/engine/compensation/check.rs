@@ -68,6 +68,9 @@ impl Interpreter<'_> {
             OneShot::TorqueSkip if compensating || compensated || left_over => {
                 Err(undefined(rules::NRC_81, "G22"))
             }
+            _ if compensated && words.has_m(100) => {
+                Fault::raise(AlarmName::CompensationNotAllowed, rules::M100_04)
+            }
             _ => Ok(()),
         }
     }

@@ -35,7 +35,7 @@ impl Interpreter<'_> {
         };
         let mut held = std::mem::take(&mut self.compensation.held);
         for mut event in held.drain(..) {
-            displace(&mut event.action, displacement);
+            displace(&mut event.action, displacement, self.state.machine_way(displacement));
             self.emit_at_once(sink, event);
         }
         self.compensation.held = held;
@@ -48,15 +48,15 @@ impl Interpreter<'_> {
     }
 }
 
-/// Moves X and Z of a motion in compensation, and its tip and nose.
-fn displace(action: &mut Action, by: Point) {
+/// Moves X and Z of a motion in compensation along the axes of the machine, and its tip and nose in the program.
+fn displace(action: &mut Action, program: Point, machine: Point) {
     let (Action::Rapid { motion } | Action::Linear { motion, .. }) = action else { return };
-    let moved = |x: &mut Length, z: &mut Length| {
+    let moved = |x: &mut Length, z: &mut Length, by: Point| {
         x.0 = x.0.saturating_add(by.x);
         z.0 = z.0.saturating_add(by.z);
     };
-    moved(&mut motion.machine.x, &mut motion.machine.z);
+    moved(&mut motion.machine.x, &mut motion.machine.z, machine);
     for point in [&mut motion.tip, &mut motion.nose].into_iter().flatten() {
-        moved(&mut point.x, &mut point.z);
+        moved(&mut point.x, &mut point.z, program);
     }
 }

@@ -5,7 +5,6 @@ use turnspec_oracle::vocabulary::rule_ids as rules;
 use turnspec_oracle::vocabulary::{AlarmName, Angle, Feed, Length, Motion, ReadingSet, Sink};
 
 use crate::engine::Interpreter;
-use crate::engine::arithmetic::frame::to_machine;
 use crate::engine::arithmetic::idle::IdleBlocks;
 use crate::engine::arithmetic::nose::nose;
 use crate::engine::arithmetic::plane::Point;
@@ -42,7 +41,7 @@ impl Interpreter<'_> {
         let mut end = self.state.machine;
         for (axis, target) in [(X, element.x), (Z, element.z), (W, element.w)] {
             if let Some(target) = target {
-                end[axis] = to_machine(target, self.state.frame(axis));
+                end[axis] = self.state.to_machine(axis, target);
             }
         }
         if element.w.is_some() && self.limit(W, &mut end[W], false)? {
@@ -202,8 +201,8 @@ impl Interpreter<'_> {
             }
         }
         let mut start = self.arrive(element, feed, end);
-        displace(&mut start, before);
-        displace(&mut end, self.compensation.displacement);
+        displace(&mut start, self.state.machine_way(before));
+        displace(&mut end, self.state.machine_way(self.compensation.displacement));
         let mut motion = self.motion_here(turn);
         motion.machine.x = Length(end[X]);
         motion.machine.z = Length(end[Z]);

@@ -3,7 +3,7 @@
 
 use turnspec_oracle::vocabulary::rule_ids as rules;
 use turnspec_oracle::vocabulary::{
-    AlarmName, Event, Feed, Label, Length, Motion, Place, PlanePosition, ReadingSet, RuleId, Sink,
+    AlarmName, Feed, Label, Length, Motion, Place, PlanePosition, ReadingSet, RuleId, Sink,
 };
 
 use crate::engine::Interpreter;
@@ -186,9 +186,9 @@ impl Interpreter<'_> {
             check_limits(end, &waiting.limits)?;
         }
         if !planted::is(Bug::PathOfProgrammed) {
-            displace(&mut start, before);
+            displace(&mut start, self.state.machine_way(before));
         }
-        displace(&mut end, self.compensation.displacement);
+        displace(&mut end, self.state.machine_way(self.compensation.displacement));
         if !planted::is(Bug::LimitOfProgrammed) {
             check_limits(end, &waiting.limits)?;
         }
@@ -202,7 +202,7 @@ impl Interpreter<'_> {
         let travel = (waiting.kind, waiting.feed);
         let action = self.action(travel, motion, (&start, &end, waiting.turn), &mut cites, &mut readings);
         let rules = self.cites.rules(cites);
-        self.emit_at_once(sink, Event::new(0, waiting.place, rules, readings, action));
+        self.emit_at_once(sink, self.event(waiting.place, rules, readings, action));
         Ok(())
     }
 }
