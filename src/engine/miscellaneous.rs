@@ -143,7 +143,8 @@ impl Interpreter<'_> {
         let clockwise = (code == 3) == (self.state.mirror > 0);
         let wanted = if clockwise { SpindleState::Clockwise } else { SpindleState::CounterClockwise };
         let turns = matches!(self.state.spindle, SpindleState::Clockwise | SpindleState::CounterClockwise);
-        if turns && self.state.spindle != wanted && self.state.spindle_side != self.state.selected {
+        let of_other = self.state.other_turret.is_some() && self.state.spindle_side != self.state.selected;
+        if turns && self.state.spindle != wanted && of_other {
             return Fault::raise(AlarmName::TurretChange, MIRR_08);
         }
         self.state.spindle_side = self.state.selected;

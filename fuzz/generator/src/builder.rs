@@ -1,6 +1,6 @@
 //! Grows a program block by block: chooses what comes next, places the fault, ends the program.
 
-use turnspec_oracle::vocabulary::Feature;
+use turnspec_oracle::vocabulary::{Feature, MachineType};
 
 use crate::choices::Choices;
 use crate::control;
@@ -25,6 +25,8 @@ pub(crate) struct Builder<'b, 'c, 'd> {
     pub(crate) room: usize,
     /// What the program may need of an implementation.
     pub(crate) profile: Profile,
+    /// The same of the whole program: a side of a machine with two saddles may need less.
+    pub(crate) whole: Profile,
     /// How often a block is one of control flow.
     pub(crate) control: usize,
     /// Constructions of control flow around the present place.
@@ -64,6 +66,7 @@ pub(crate) enum Kind {
     Control,
     Barrier,
     Io,
+    Turret,
 }
 
 const KINDS: &[(usize, Kind)] = &[
@@ -80,6 +83,7 @@ const KINDS: &[(usize, Kind)] = &[
     (8, Kind::Assignment),
     (4, Kind::CAxis),
     (4, Kind::Filler),
+    (34, Kind::Turret),
 ];
 
 /// How often a block begins compensation, in programs that are to have it and in others.
@@ -118,6 +122,7 @@ impl Kind {
             Self::Control => control::is_within(profile),
             Self::Barrier => any(&[Feature::Barrier]),
             Self::Io => io::is_within(profile),
+            Self::Turret => any(&[Feature::TwoTurrets]),
         }
     }
 }
@@ -139,6 +144,7 @@ impl<'b, 'c, 'd> Builder<'b, 'c, 'd> {
             [(start_ups, Kind::StartUp), (control, Kind::Control), (barrier, Kind::Barrier), (io, Kind::Io)];
         let kinds = KINDS.iter().copied().chain(special);
         let kinds = kinds.filter(|(_, kind)| kind.is_within(&profile)).collect();
+        let profile = profile.on(state.setup.machine.r#type);
         state.environment.restrict(&profile);
         Self {
             choices,
@@ -147,6 +153,7 @@ impl<'b, 'c, 'd> Builder<'b, 'c, 'd> {
             expressions,
             room: 0,
             profile,
+            whole: profile,
             control,
             nesting: 0,
             left: 0,
@@ -209,6 +216,9 @@ impl<'b, 'c, 'd> Builder<'b, 'c, 'd> {
     pub(crate) fn build(&mut self) {
         if self.state.setup.schedule {
             return self.build_schedule();
+        }
+        if self.state.setup.machine.r#type == MachineType::TwoSaddles {
+            return self.build_sides();
         }
         let size = 1 + self.choices.below(40).min(1 + self.choices.below(40));
         let faulty = self.choices.chance(35) && self.allows(Feature::Alarm);
@@ -275,6 +285,19 @@ impl<'b, 'c, 'd> Builder<'b, 'c, 'd> {
         self.spoilt
     }
 
+    /// Begins a program that runs beside the one before: no fault is to come in it.
+    pub(crate) fn begin_side(&mut self) {
+        (self.spoilt, self.due) = (false, None);
+    }
+
+    /// Leaves only what such a profile has.
+    pub(crate) fn narrow(&mut self, profile: Profile) {
+        self.profile = profile;
+        self.state.environment.restrict(&profile);
+        self.control = if control::is_within(&profile) { self.control } else { 0 };
+        self.kinds.retain(|(_, kind)| kind.is_within(&profile));
+    }
+
     /// Adds about so many blocks.
     pub(crate) fn grow_blocks(&mut self, count: usize) {
         self.left = count;
@@ -299,7 +322,14 @@ impl<'b, 'c, 'd> Builder<'b, 'c, 'd> {
     }
 
     /// Tries to place a fault, and if the set-up does not let it happen, another one.
-    fn try_fault(&mut self, fault: Fault) -> bool {
+    pub(crate) fn try_fault(&mut self, fault: Fault) -> bool {
+        let profile = std::mem::replace(&mut self.profile, self.whole);
+        let spoils = self.place_fault(fault);
+        self.profile = profile;
+        spoils
+    }
+
+    fn place_fault(&mut self, fault: Fault) -> bool {
         if self.within_profile(3, |builder| builder.fault(fault)) {
             return self.choices.chance(70);
         }
@@ -310,7 +340,7 @@ impl<'b, 'c, 'd> Builder<'b, 'c, 'd> {
     }
 
     /// Header, `%`, program name.
-    fn beginning(&mut self) -> bool {
+    pub(crate) fn beginning(&mut self) -> bool {
         if !self.state.is_eia() && self.choices.chance(8) {
             let list: [&[u8]; 5] = [b"$SHAFT-1.MIN%", b"$A.MIN% ", b"$PART%", b"$X.Y.LIB %", b"$%"];
             let text = self.choices.pick(&list);
@@ -411,6 +441,7 @@ impl<'b, 'c, 'd> Builder<'b, 'c, 'd> {
             Kind::Control => self.auxiliary(),
             Kind::Barrier => self.barrier(),
             Kind::Io => self.io(),
+            Kind::Turret => self.turret_block(),
         }
     }
 

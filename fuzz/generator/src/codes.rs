@@ -70,9 +70,6 @@ const M_SINGLE: &[(i64, i64)] = &[
 /// M codes that must stand alone in their block.
 pub const M_ALONE: &[i64] = &[193, 195, 196];
 
-/// M codes that are assigned and not modelled.
-pub const M_LATER: &[i64] = &[100];
-
 /// M codes that are not assigned: the borders of the gaps of the table.
 pub const M_UNASSIGNED: &[i64] =
     &[7, 10, 11, 31, 45, 47, 52, 57, 71, 82, 121, 170, 186, 198, 210, 217, 245, 255, 340, 363, 511];
@@ -83,8 +80,8 @@ pub const G_UNSPECIFIED: &[i64] =
 
 /// G codes that are assigned and not modelled.
 pub const G_LATER: &[i64] = &[
-    14, 31, 32, 33, 34, 35, 71, 72, 73, 74, 77, 78, 80, 81, 82, 83, 84, 85, 86, 87, 88, 101, 102, 103, 111,
-    112, 113, 132, 133, 136, 137, 138, 178, 179, 180, 181, 182, 190, 312, 313,
+    31, 32, 33, 34, 35, 71, 72, 73, 74, 77, 78, 80, 81, 82, 83, 84, 85, 86, 87, 88, 101, 102, 103, 112, 113,
+    132, 133, 136, 137, 138, 178, 179, 180, 181, 182, 190, 312, 313,
 ];
 
 /// G codes that are not assigned.

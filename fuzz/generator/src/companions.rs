@@ -86,11 +86,7 @@ impl Builder<'_, '_, '_> {
         if self.choices.chance(percent / 2) && self.allows(Feature::Aux) {
             items.push(Item::g(self.choices.within(64, 65)));
         }
-        for code in [13, 110] {
-            if self.choices.chance(percent / 4) && self.allows(Feature::Turret) {
-                items.push(Item::g(code));
-            }
-        }
+        self.turret_words(items, percent);
         self.compensation_words(items, percent);
     }
 
@@ -176,7 +172,7 @@ impl Builder<'_, '_, '_> {
         let mut seen = Vec::new();
         let mut special = false;
         for _ in 0..=self.choices.late(most).min(self.choices.late(most)) {
-            let code = match self.choices.weighted(&[(55, 0), (25, 1), (20, 2)]) {
+            let code = match self.choices.weighted(&[(55, 0), (24, 1), (18, 2), (3, 3)]) {
                 0 if groups.is_empty() => continue,
                 0 => {
                     let group = self.choices.below(groups.len());
@@ -186,12 +182,13 @@ impl Builder<'_, '_, '_> {
                     self.choices.pick(possible[group])
                 }
                 1 => codes::single_m(self.choices.below(400)),
+                3 => 100,
                 _ if self.state.control.steady || std::mem::replace(&mut special, true) => continue,
                 _ => self.special_m(),
             };
             let unsafe_index = code == 203 && !self.state.setup.inputs.turret_clamp_confirmed;
             let grouped = matches!(code, 12..=14 | 109 | 110 | 124 | 125 | 146 | 147 | 152 | 153 | 194);
-            if !self.allows_m(code) {
+            if !self.allows_m(code) || !self.bears_m(code) {
                 continue;
             }
             if seen.contains(&code) || unsafe_index || grouped && special && seen.iter().any(is_special) {
@@ -205,7 +202,7 @@ impl Builder<'_, '_, '_> {
 
     /// Whether the profile allows an M code.
     fn allows_m(&self, code: i64) -> bool {
-        needs::of_m_code(code).iter().all(|feature| self.allows(*feature))
+        needs::of_m_code(code, self.state.setup.machine.r#type).iter().all(|feature| self.allows(*feature))
     }
 
     /// A code of the C axis, of the rotary tool or of the time check that is allowed here.
@@ -236,6 +233,7 @@ impl Builder<'_, '_, '_> {
             124 | 125 => self.state.timed = code == 124,
             _ => {}
         }
+        self.note_turning(code);
     }
 
     /// The C axis is joined or taken off, clamped or freed.

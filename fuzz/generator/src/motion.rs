@@ -78,7 +78,7 @@ impl Builder<'_, '_, '_> {
             && self.choices.chance(5)
         {
             let beyond = if self.choices.chance(30) { 0 } else { self.choices.within(0, 50_000) * 1_000 };
-            wanted = limit.0 - self.state.frame(axis) + beyond;
+            wanted = self.state.sign(axis) * (limit.0 + beyond) - self.state.frame(axis);
         }
         let (item, target) = self.target(axis, wanted);
         items.push(item);

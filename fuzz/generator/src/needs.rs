@@ -1,6 +1,8 @@
 //! What codes, variables and the values of a set-up need of an implementation.
 
-use turnspec_oracle::vocabulary::{AxisAmounts, Feature, Setup, TapeCode, UnitSystem};
+use turnspec_oracle::vocabulary::{
+    AxisAmounts, Feature, MachineType, PlaneAmounts, Setup, TapeCode, UnitSystem,
+};
 
 use crate::io::INTERFERENCE;
 use crate::profile::Features;
@@ -16,10 +18,12 @@ pub(crate) const ANY_M_CODE: &[Feature] = &[
     Feature::Spindle,
     Feature::TimeOver,
     Feature::Turret,
+    Feature::TwoTurrets,
+    Feature::TwoSaddles,
 ];
 
-/// What an M code needs.
-pub(crate) fn of_m_code(code: i64) -> &'static [Feature] {
+/// What an M code needs on a machine.
+pub(crate) fn of_m_code(code: i64, machine: MachineType) -> &'static [Feature] {
     match code {
         0 | 1 => &[Feature::OptionalStop],
         2 | 30 => &[],
@@ -28,6 +32,8 @@ pub(crate) fn of_m_code(code: i64) -> &'static [Feature] {
         12..=14 | 152 | 153 | 240..=244 => &[Feature::MTool],
         15 | 16 | 109 | 110 | 146 | 147 => &[Feature::CAxis],
         40..=44 => &[Feature::Gear, Feature::Spindle],
+        100 if machine == MachineType::TwoSaddles => &[Feature::TwoSaddles],
+        100 => &[Feature::TwoTurrets],
         124 | 125 => &[Feature::TimeOver],
         21 | 25 => &[Feature::Aux, Feature::Barrier],
         203 => &[Feature::Turret],
@@ -36,13 +42,19 @@ pub(crate) fn of_m_code(code: i64) -> &'static [Feature] {
     }
 }
 
-/// What a G code needs by itself.
-pub(crate) fn of_g_code(code: i64) -> &'static [Feature] {
+/// What a G code needs by itself on a machine.
+pub(crate) fn of_g_code(code: i64, machine: MachineType) -> &'static [Feature] {
     match code {
         0 => &[Feature::Rapid],
         1 => &[Feature::Linear],
         2 | 3 => &[Feature::Arc],
         4 => &[Feature::Dwell],
+        13 if machine == MachineType::TwoSaddles => &[Feature::TwoSaddles],
+        14 | 111 => match machine {
+            MachineType::OneTurret => &[Feature::Alarm],
+            MachineType::TwoTurrets => &[Feature::TwoTurrets],
+            MachineType::TwoSaddles => &[Feature::TwoSaddles],
+        },
         13 | 110 => &[Feature::Turret],
         17 | 18 | 40 | 41 | 42 | 119 => &[Feature::RadiusCompensation],
         22 | 28 | 29 => &[Feature::Torque],
@@ -91,7 +103,8 @@ pub(crate) fn of_setup(setup: &Setup) -> Features {
     let axis = |amounts: AxisAmounts| (amounts.c.0 != 0, amounts.w.0 != 0);
     let (c_start, w_start) = axis(setup.start);
     let (c_zero, w_zero) = axis(setup.zero_offset);
-    let limits = &setup.limits;
+    let (limits, b) = (&setup.limits, &setup.turret_b);
+    let machine = setup.machine.r#type;
     let shown = &setup.inputs;
     let inputs = !shown.vdin.is_empty() || !shown.vird.is_empty() || !shown.vord.is_empty();
     let list = [
@@ -101,8 +114,14 @@ pub(crate) fn of_setup(setup: &Setup) -> Features {
         (setup.switches.optional_stop, Feature::OptionalStop),
         (setup.options.w_axis || w_start || w_zero || limits.w != plain.limits.w, Feature::WAxis),
         (c_start || c_zero, Feature::CAxis),
+        (machine == MachineType::TwoTurrets, Feature::TwoTurrets),
+        (machine == MachineType::TwoSaddles, Feature::TwoSaddles),
         (setup.zero_offset != plain.zero_offset, Feature::ZeroShift),
+        (b.zero_offset != PlaneAmounts::default(), Feature::ZeroShift),
         (setup.tool_offset != plain.tool_offset || setup.nose_radius != plain.nose_radius, Feature::Tool),
+        (!b.tool_offset.is_empty() || !b.nose_radius.is_empty(), Feature::Tool),
+        (b.limits != plain.turret_b.limits, Feature::Limits),
+        (!b.torque_stops.is_empty(), Feature::Torque),
         ([limits.x, limits.z, limits.w] != [plain.limits.x, plain.limits.z, plain.limits.w], Feature::Limits),
         (limits.steps != plain.limits.steps, Feature::ControlStatement),
         (setup.barriers != plain.barriers, Feature::Barrier),

@@ -40,7 +40,9 @@ impl Builder<'_, '_, '_> {
         self.push(items);
     }
 
+    /// Words of a zero shift, one at least.
     pub(crate) fn shift_words(&mut self, items: &mut Vec<Item>) {
+        let before = items.len();
         let w = self.state.setup.options.w_axis && self.choices.chance(30);
         let chosen = [(Axis::X, self.choices.chance(60)), (Axis::Z, self.choices.chance(60)), (Axis::W, w)];
         for (axis, _) in chosen.into_iter().filter(|(_, chosen)| *chosen) {
@@ -50,7 +52,7 @@ impl Builder<'_, '_, '_> {
             self.state.shift[axis as usize] += present - value;
             items.push(item);
         }
-        if items.len() == 1 || self.choices.chance(20) {
+        if items.len() == before || self.choices.chance(20) {
             let wanted = self.choices.within(-359, 359) * 1_000_000;
             let (item, angle) = self.angle("C", wanted);
             self.state.c_shift += self.state.program_c() - angle;

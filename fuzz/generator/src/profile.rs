@@ -1,6 +1,6 @@
 //! Which features generated programs and set-ups may need of an implementation.
 
-use turnspec_oracle::vocabulary::{Chamfering, Feature, Setup};
+use turnspec_oracle::vocabulary::{Chamfering, Feature, MachineType, Setup};
 
 use crate::case::Case;
 use crate::needs;
@@ -30,6 +30,8 @@ use crate::tape;
 /// | files of a schedule | `subprogram` |
 /// | what devices send, the end code, strings and codes of `PUT` | `communication` |
 /// | tool interference data, numbers of tools and tool groups | `system-variable` |
+/// | data of turret B | those of A |
+/// | M100 on two saddles | `two-saddles` |
 ///
 /// Schedule programs occur only with every feature allowed. M02 and M30 are always there. Readings other than the default ones occur with every feature allowed, or on
 /// request.
@@ -37,23 +39,36 @@ use crate::tape;
 pub struct Profile {
     features: Features,
     readings: bool,
+    /// The machine that the programs are for; some words are something else on another one.
+    machine: MachineType,
 }
 
 impl Profile {
     /// Everything.
-    pub const FULL: Self = Self { features: Features::of(Feature::ALL), readings: true };
+    pub const FULL: Self =
+        Self { features: Features::of(Feature::ALL), readings: true, machine: MachineType::OneTurret };
 
     /// Programs that need nothing but these features.
     #[must_use]
     pub fn of(features: &[Feature]) -> Self {
         let features = Features::of(features);
-        Self { features, readings: features == Self::FULL.features }
+        Self { features, readings: features == Self::FULL.features, machine: MachineType::OneTurret }
     }
 
     /// The same features, with set-ups of any readings.
     #[must_use]
     pub fn with_readings(self) -> Self {
         Self { readings: true, ..self }
+    }
+
+    /// The same without some features.
+    pub(crate) fn without(self, features: &[Feature]) -> Self {
+        Self { features: self.features.less(Features::of(features)), ..self }
+    }
+
+    /// The same for programs of a machine.
+    pub(crate) fn on(self, machine: MachineType) -> Self {
+        Self { machine, ..self }
     }
 
     /// Whether a feature is allowed.
@@ -88,8 +103,9 @@ impl Profile {
             case.setup.limits.steps != Setup::default().limits.steps || !case.setup.library.is_empty();
         // In which mode a block is carried out that others jump to, its place in the text does not tell.
         let modes: &[Mode] = if jumps { &[Mode::Rapid, Mode::Linear] } else { &[Mode::Rapid] };
+        let here = self.on(case.setup.machine.r#type);
         self.permits_setup(&case.setup)
-            && texts.all(|text| modes.iter().any(|mode| self.permits_text(&text, *mode)))
+            && texts.all(|text| modes.iter().any(|mode| here.permits_text(&text, *mode)))
     }
 
     /// Whether corners must be cut in the basic form: an any-angle corner looks ahead to its next line.
@@ -108,7 +124,7 @@ impl Profile {
 
     /// Whether a text that begins in a motion mode stays within the profile.
     pub(crate) fn permits_text(&self, text: &[u8], mode: Mode) -> bool {
-        self.is_full() || self.features.contains(scan::needs_of(text, mode))
+        self.is_full() || self.features.contains(scan::needs_of(text, mode, self.machine))
     }
 }
 
@@ -126,6 +142,11 @@ impl Features {
             place += 1;
         }
         Self(bits)
+    }
+
+    /// Those that the other set lacks.
+    pub fn less(self, other: Self) -> Self {
+        Self(self.0 & !other.0)
     }
 
     /// The features of both sets.

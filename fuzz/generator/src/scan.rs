@@ -3,7 +3,7 @@
 //! A scan of letters and digits that knows no grammar: it may ask for a feature too many in a faulty text,
 //! never for one too few.
 
-use turnspec_oracle::vocabulary::Feature;
+use turnspec_oracle::vocabulary::{Feature, MachineType};
 
 use crate::needs;
 use crate::profile::Features;
@@ -46,9 +46,9 @@ const LATER: [&[u8]; 25] = [
     b"TA", b"TB", b"UA", b"UB", b"WA", b"WB", b"XA", b"XB", b"ZA", b"ZB",
 ];
 
-/// What a text needs that begins in a motion mode.
-pub(crate) fn needs_of(text: &[u8], mode: Mode) -> Features {
-    let mut scan = Scan { text, at: 0, needs: Features::default(), mode, block: Words::default() };
+/// What a text needs on a machine that begins in a motion mode.
+pub(crate) fn needs_of(text: &[u8], mode: Mode, machine: MachineType) -> Features {
+    let mut scan = Scan { text, at: 0, needs: Features::default(), mode, machine, block: Words::default() };
     if text.first() == Some(&b'$') {
         scan.needs.add(&[Feature::ProgramName]);
         let header = text.split(|byte| *byte == b'\n').next().unwrap_or_default();
@@ -94,6 +94,7 @@ struct Scan<'t> {
     at: usize,
     needs: Features,
     mode: Mode,
+    machine: MachineType,
     block: Words,
 }
 
@@ -351,9 +352,12 @@ impl Scan<'_> {
             b'G' => {
                 let code = self.code().unwrap_or(-1);
                 self.note_g(code);
-                needs::of_g_code(code)
+                needs::of_g_code(code, self.machine)
             }
-            b'M' => self.code().map_or(needs::ANY_M_CODE, needs::of_m_code),
+            b'M' => match self.code() {
+                Some(code) => needs::of_m_code(code, self.machine),
+                None => needs::ANY_M_CODE,
+            },
             b'V' if self.peek().is_ascii_digit() => self.variable(),
             b'V' => &[Feature::SystemVariable, Feature::Alarm],
             b'X' | b'Z' | b'L' => &[],
@@ -365,6 +369,7 @@ impl Scan<'_> {
             b'F' => &[],
             b'S' => &[Feature::Spindle],
             b'T' => &[Feature::Tool],
+            b'P' if self.machine == MachineType::TwoSaddles => &[Feature::TwoSaddles],
             _ => &[Feature::Alarm],
         };
         self.needs.add(needs);

@@ -12,13 +12,16 @@ use crate::compensation::nose_radii;
 use crate::io::machine;
 use crate::profile::Profile;
 use crate::schedule;
+use crate::turrets;
 
 /// A set-up that passes [`Setup::validate`].
 pub fn setup(choices: &mut Choices<'_, '_>, profile: &Profile) -> Setup {
     let mut setup = Setup::default();
+    let machine = turrets::machine_type(choices, profile);
     if !choices.chance(25) {
         unusual(&mut setup, choices, profile);
     }
+    turrets::set_up(&mut setup, machine, choices, profile);
     if profile.has_basic_corners() && setup.parameters.chamfering == Chamfering::AnyAngle {
         setup.parameters.chamfering = Chamfering::Basic;
     }
@@ -55,10 +58,10 @@ fn unusual(setup: &mut Setup, choices: &mut Choices<'_, '_>, profile: &Profile) 
         let value = choices.within(-99_999, 99_999) as f64 / 64.0;
         setup.variables.insert(format!("V{}", choices.within(1, 9)), value);
     }
-    if choices.chance(9) {
+    if choices.chance(10) {
         machine(setup, choices, profile);
     }
-    setup.schedule = choices.chance(8) && schedule::is_within(profile);
+    setup.schedule = choices.chance(9) && schedule::is_within(profile);
 }
 
 /// Whether an S, T or M function takes longer than the time check allows (E100L-STM-01).
@@ -94,10 +97,6 @@ fn parameters(setup: &mut Setup, choices: &mut Choices<'_, '_>, profile: &Profil
 /// Start position, zero offset, tool data.
 fn amounts(setup: &mut Setup, choices: &mut Choices<'_, '_>, profile: &Profile) {
     let tool = profile.allows(Feature::Tool);
-    let length = |choices: &mut Choices<'_, '_>, most: i64| {
-        let grid = choices.pick(&[1_000_000, 1_000]);
-        Length(choices.within(-most * 1_000_000 / grid, most * 1_000_000 / grid) * grid)
-    };
     if choices.chance(50) && profile.allows(Feature::ZeroShift) {
         setup.zero_offset = AxisAmounts {
             x: length(choices, 400),
@@ -122,13 +121,34 @@ fn amounts(setup: &mut Setup, choices: &mut Choices<'_, '_>, profile: &Profile) 
         (setup.start.w, setup.zero_offset.w) = (Length(0), Length(0));
     }
     if choices.chance(60) && tool {
-        for number in 1..=4 {
-            let (x, z) = (length(choices, 60), length(choices, 60));
-            setup.tool_offset.push(ToolOffset { number, x, z });
-        }
+        setup.tool_offset = tool_offsets(choices);
     }
     if choices.chance(60) && tool {
         setup.nose_radius = nose_radii(choices, setup.options.offset_sets);
+    }
+}
+
+/// An amount of at most so many millimetres.
+pub(crate) fn length(choices: &mut Choices<'_, '_>, most: i64) -> Length {
+    let grid = choices.pick(&[1_000_000, 1_000]);
+    Length(choices.within(-most * 1_000_000 / grid, most * 1_000_000 / grid) * grid)
+}
+
+/// Tool offsets 1 to 4.
+pub(crate) fn tool_offsets(choices: &mut Choices<'_, '_>) -> Vec<ToolOffset> {
+    let offset = |number| {
+        let (x, z) = (length(choices, 60), length(choices, 60));
+        ToolOffset { number, x, z }
+    };
+    (1..=4).map(offset).collect()
+}
+
+/// A limit on each side, or not, that leaves room around a start.
+pub(crate) fn limit(choices: &mut Choices<'_, '_>, start: Length) -> Limit {
+    let away = |choices: &mut Choices<'_, '_>| choices.within(60_000, 500_000) * 1_000;
+    Limit {
+        positive: choices.chance(25).then(|| Length(start.0 + away(choices))),
+        negative: choices.chance(25).then(|| Length(start.0 - away(choices))),
     }
 }
 
@@ -139,12 +159,8 @@ fn limits(setup: &mut Setup, choices: &mut Choices<'_, '_>, profile: &Profile) {
     }
     let starts = [setup.start.x, setup.start.z, setup.start.w];
     let axes = [&mut setup.limits.x, &mut setup.limits.z, &mut setup.limits.w];
-    for (limit, start) in axes.into_iter().zip(starts) {
-        let away = |choices: &mut Choices<'_, '_>| choices.within(60_000, 500_000) * 1_000;
-        *limit = Limit {
-            positive: choices.chance(25).then(|| Length(start.0 + away(choices))),
-            negative: choices.chance(25).then(|| Length(start.0 - away(choices))),
-        };
+    for (axis, start) in axes.into_iter().zip(starts) {
+        *axis = limit(choices, start);
     }
     if !profile.allows(Feature::WAxis) {
         setup.limits.w = Limit::default();

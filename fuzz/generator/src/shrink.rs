@@ -141,13 +141,15 @@ impl Shrinker<'_> {
         const PARTS: &[fn(&mut Setup, &Setup)] = &[
             |setup, plain| {
                 let (library, macros) = (setup.library.clone(), setup.macros.clone());
-                *setup = Setup { library, macros, ..plain.clone() };
+                let machine = setup.machine;
+                *setup = Setup { library, macros, machine, ..plain.clone() };
             },
             |setup, plain| {
                 let kept = setup.clone();
                 *setup = plain.clone();
                 (setup.library, setup.macros, setup.devices) = (kept.library, kept.macros, kept.devices);
                 (setup.schedule, setup.tape, setup.inputs) = (kept.schedule, kept.tape, kept.inputs);
+                setup.machine = kept.machine;
             },
             |setup, plain| setup.schedule = plain.schedule,
             |setup, plain| setup.devices.clone_from(&plain.devices),
@@ -156,6 +158,14 @@ impl Shrinker<'_> {
             |setup, plain| setup.inputs.vird.clone_from(&plain.inputs.vird),
             |setup, plain| setup.inputs.vord.clone_from(&plain.inputs.vord),
             |setup, plain| setup.macros.clone_from(&plain.macros),
+            |setup, plain| setup.machine = plain.machine,
+            |setup, plain| setup.turret_b = plain.turret_b.clone(),
+            |setup, plain| setup.turret_b.zero_offset = plain.turret_b.zero_offset,
+            |setup, plain| setup.turret_b.start = plain.turret_b.start,
+            |setup, plain| setup.turret_b.limits = plain.turret_b.limits,
+            |setup, plain| setup.turret_b.tool_offset.clone_from(&plain.turret_b.tool_offset),
+            |setup, plain| setup.turret_b.nose_radius.clone_from(&plain.turret_b.nose_radius),
+            |setup, plain| setup.turret_b.torque_stops.clone_from(&plain.turret_b.torque_stops),
             |setup, plain| setup.start = plain.start,
             |setup, plain| setup.zero_offset = plain.zero_offset,
             |setup, plain| setup.tool_offset.clone_from(&plain.tool_offset),

@@ -14,6 +14,7 @@ use crate::control::Control;
 use crate::environment::Environment;
 use crate::io::Io;
 use crate::schedule::Schedule;
+use crate::turrets::Turrets;
 use crate::unit::{Estimate, Units};
 
 /// A linear axis.
@@ -111,6 +112,8 @@ pub struct State {
     pub io: Io,
     /// Files and main programs of a schedule.
     pub schedule: Schedule,
+    /// The turret that is selected, and the data of the other one.
+    pub turrets: Turrets,
     /// What expressions of the present block read.
     pub environment: Environment,
 }
@@ -153,6 +156,7 @@ impl State {
             barriers: Areas::new(&setup),
             io: Io::new(&setup),
             schedule: Schedule::default(),
+            turrets: Turrets::new(&setup),
             environment: Environment::new(units, setup.options.offset_sets, setup.options.user_task == 2),
             setup,
         };
@@ -178,7 +182,7 @@ impl State {
         }
     }
 
-    /// Machine coordinate less program coordinate.
+    /// What is added to a program coordinate; the machine coordinate is the sum, mirrored for turret B.
     #[must_use]
     pub fn frame(&self, axis: Axis) -> i64 {
         self.zero_offset[axis as usize] + self.shift[axis as usize] + self.tool_offset(axis)
@@ -187,7 +191,13 @@ impl State {
     /// The present program coordinate.
     #[must_use]
     pub fn program(&self, axis: Axis) -> i64 {
-        self.machine[axis as usize] - self.frame(axis)
+        self.sign(axis) * self.machine[axis as usize] - self.frame(axis)
+    }
+
+    /// By what machine coordinates follow those of the program: turret B is mirrored in X (E100L-MIRR-05).
+    #[must_use]
+    pub fn sign(&self, axis: Axis) -> i64 {
+        if axis == Axis::X && self.turrets.is_mirrored() { -1 } else { 1 }
     }
 
     /// The present program coordinate of C, in [0, 360) degrees.
@@ -213,7 +223,11 @@ impl State {
 
     /// Lowest and highest program coordinate within the travel limits.
     fn allowed(&self, axis: Axis) -> (i64, i64) {
-        let Limit { positive, negative } = self.limits[axis as usize];
+        let Limit { mut positive, mut negative } = self.limits[axis as usize];
+        if self.sign(axis) < 0 {
+            let mirrored = |limit: Length| Length(-limit.0);
+            (positive, negative) = (negative.map(mirrored), positive.map(mirrored));
+        }
         let frame = self.frame(axis);
         let lowest = negative.map_or(-99_999_000_000, |limit| limit.0 - frame + self.units.finest());
         let highest = positive.map_or(99_999_000_000, |limit| limit.0 - frame - self.units.finest());
@@ -237,7 +251,7 @@ impl State {
 
     /// Moves an axis to a program coordinate, or to the positive limit.
     pub fn move_to(&mut self, axis: Axis, target: i64) {
-        let machine = target + self.frame(axis);
+        let machine = self.sign(axis) * (target + self.frame(axis));
         let limit = match self.limits[axis as usize].positive {
             Some(limit) if !self.compensation.is_on() => limit,
             _ => Length(i64::MAX),

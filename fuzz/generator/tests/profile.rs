@@ -261,7 +261,8 @@ fn foreign_word(line: &str, features: &[Feature]) -> Option<String> {
         ("S", has(Feature::Spindle)),
         ("T", has(Feature::Tool)),
         ("V", has(Feature::Variable) || has(Feature::SystemVariable)),
-        ("BEHJPQRUY", has(Feature::Alarm)),
+        ("BEHJQRUY", has(Feature::Alarm)),
+        ("P", has(Feature::Alarm) || has(Feature::TwoSaddles)),
         ("O", has(Feature::Subprogram) || has(Feature::ModalCall) || has(Feature::Alarm)),
     ];
     for run in runs(line) {
@@ -347,6 +348,7 @@ fn foreign_event(event: &Event, features: &[Feature]) -> String {
             "M124" | "M125" => has(Feature::TimeOver),
             "M21" | "M25" => has(Feature::Barrier),
             "M203" => has(Feature::Turret),
+            "M100" => has(Feature::TwoTurrets) || has(Feature::TwoSaddles),
             _ => has(Feature::Aux),
         },
         Action::Torque { .. } => has(Feature::Torque),
@@ -362,6 +364,9 @@ fn foreign_event(event: &Event, features: &[Feature]) -> String {
         Action::Stop | Action::OptionalStop => has(Feature::OptionalStop),
         Action::Mode { .. } | Action::End { .. } | Action::Alarm(_) => true,
     };
+    let allowed = allowed
+        && (event.turret.is_none() || has(Feature::TwoTurrets))
+        && (event.saddle.is_none() || has(Feature::TwoSaddles));
     if !allowed {
         return kind(event);
     }
@@ -405,6 +410,9 @@ fn rule_allowed(id: &str, features: &[Feature]) -> bool {
         "TOOL" => &[Feature::Tool],
         "TRQ" => &[Feature::Torque],
         "TUNC" => &[Feature::Turret],
+        "AX4" | "PSYNC" => &[Feature::TwoSaddles],
+        "M100" => &[Feature::TwoTurrets, Feature::TwoSaddles],
+        "MIRR" if number != "01" => &[Feature::TwoTurrets],
         _ => return true,
     };
     about.iter().any(|feature| features.contains(feature))

@@ -35,7 +35,7 @@ impl Interpreter<'_> {
         };
         let mut held = std::mem::take(&mut self.compensation.held);
         for mut event in held.drain(..) {
-            displace(&mut event.action, displacement);
+            displace(&mut event.action, displacement, self.state.mirror);
             self.emit_at_once(sink, event);
         }
         self.compensation.held = held;
@@ -48,15 +48,15 @@ impl Interpreter<'_> {
     }
 }
 
-/// Moves X and Z of a motion in compensation, and its tip and nose.
-fn displace(action: &mut Action, by: Point) {
+/// Moves X and Z of a motion in compensation, and its tip and nose; X of the machine may be mirrored.
+fn displace(action: &mut Action, by: Point, mirror: i64) {
     let (Action::Rapid { motion } | Action::Linear { motion, .. }) = action else { return };
-    let moved = |x: &mut Length, z: &mut Length| {
-        x.0 = x.0.saturating_add(by.x);
+    let moved = |x: &mut Length, z: &mut Length, mirror: i64| {
+        x.0 = x.0.saturating_add(mirror * by.x);
         z.0 = z.0.saturating_add(by.z);
     };
-    moved(&mut motion.machine.x, &mut motion.machine.z);
+    moved(&mut motion.machine.x, &mut motion.machine.z, mirror);
     for point in [&mut motion.tip, &mut motion.nose].into_iter().flatten() {
-        moved(&mut point.x, &mut point.z);
+        moved(&mut point.x, &mut point.z, 1);
     }
 }

@@ -17,7 +17,7 @@ use crate::builder::{Builder, Kind};
 use crate::companions::has;
 use crate::geometry::Point;
 use crate::program::Item;
-use crate::state::{Axis, Mode};
+use crate::state::{Axis, Mode, State};
 use corner::{Element, meeting};
 pub(crate) use nose::nose_radii;
 
@@ -161,6 +161,7 @@ const KINDS: &[(usize, Kind)] = &[
     (4, Kind::Assignment),
     (3, Kind::Idle),
     (3, Kind::Filler),
+    (2, Kind::Turret),
     (9, Kind::Cancel),
 ];
 
@@ -181,6 +182,9 @@ impl Builder<'_, '_, '_> {
     /// The kind of the next block while compensation is in force.
     pub(crate) fn compensated_kind(&mut self) -> Kind {
         let Self { choices, profile, state, control, .. } = &mut *self;
+        let permits = |state: &State, kind| {
+            state.control.permits(kind) && state.turrets.permits(kind, state.control.steady)
+        };
         // A start-up bears one block without X/Z motion.
         let bound = state.compensation.starting && (state.compensation.idle > 0 || choices.chance(80));
         let list = if bound { ELEMENTS } else { KINDS };
@@ -188,7 +192,7 @@ impl Builder<'_, '_, '_> {
         let io = if bound || !state.io.is_wanted() { 0 } else { 10 };
         let list = list.iter().copied().chain([(control, Kind::Control), (io, Kind::Io)]);
         let list: Vec<_> =
-            list.filter(|(_, kind)| kind.is_within(profile) && state.control.permits(*kind)).collect();
+            list.filter(|(_, kind)| kind.is_within(profile) && permits(state, *kind)).collect();
         if list.iter().all(|(weight, _)| *weight == 0) { Kind::Rapid } else { choices.weighted(&list) }
     }
 

@@ -322,7 +322,7 @@ impl Builder<'_, '_, '_> {
 
     /// Whether a kind of block may stand here.
     pub(crate) fn permits_kind(&self, kind: Kind) -> bool {
-        self.state.control.permits(kind)
+        self.state.control.permits(kind) && self.state.turrets.permits(kind, self.state.control.steady)
     }
 
     /// Adds a statement with what follows it.

@@ -65,13 +65,13 @@ impl Builder<'_, '_, '_> {
         }
     }
 
-    fn one_of(&mut self, list: &[&str]) -> bool {
+    pub(super) fn one_of(&mut self, list: &[&str]) -> bool {
         let text = self.choices.pick(list);
         self.blocks(&text.split('\n').collect::<Vec<_>>())
     }
 
     /// A start-up and an element, in G91, with more words in the start-up block.
-    fn in_force(&mut self, words: &str) {
+    pub(super) fn in_force(&mut self, words: &str) {
         if self.state.compensation.left_over || !self.state.compensation.is_on() {
             let side = self.choices.pick(&[41, 42]);
             let first = format!("G18 G{side} G91 G01 F1 X2 {words}");
@@ -192,6 +192,7 @@ impl Builder<'_, '_, '_> {
                 "G18 G42 G00 G04 F1",
                 "G00 G41 G28",
                 "G00 G41 G50 S100",
+                "G18 G42 G01 G04 F1",
                 "G00 G42 G22 Z5 D1 L1 F1 PZ=5",
             ]);
         }

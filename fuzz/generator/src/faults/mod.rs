@@ -11,8 +11,9 @@ mod schedule;
 mod state;
 mod statement;
 mod text;
+mod turrets;
 
-use turnspec_oracle::vocabulary::{AlarmName, Chamfering, Setup, TapeCode, UserAlarmC};
+use turnspec_oracle::vocabulary::{AlarmName, Chamfering, MachineType, Setup, TapeCode, UserAlarmC};
 
 use crate::builder::Builder;
 use crate::choices::Choices;
@@ -59,6 +60,8 @@ fn special(setup: &Setup) -> Vec<Fault> {
         (!setup.nose_radius.is_empty(), Fault::Unspecified),
         (!setup.nose_radius.is_empty(), Fault::TravelLimitNegative),
         (!setup.nose_radius.is_empty(), Fault::TravelLimitPositive),
+        (setup.machine.r#type == MachineType::TwoTurrets, Fault::TurretChange),
+        (setup.machine.r#type == MachineType::TwoTurrets, Fault::Unspecified),
         (setup.options.user_task == 1, Fault::UserTaskLevel),
         (setup.parameters.call_depth != 8, Fault::CallDepth),
         (setup.barriers != Setup::default().barriers, Fault::Barrier),
@@ -103,7 +106,8 @@ impl Builder<'_, '_, '_> {
     /// Adds the blocks of a fault.
     pub(crate) fn fault(&mut self, fault: Fault) -> bool {
         self.begin();
-        self.io_fault(fault)
+        self.turret_fault(fault)
+            || self.io_fault(fault)
             || self.control_fault(fault)
             || self.barrier_fault(fault)
             || self.compensation_fault(fault)

@@ -82,12 +82,12 @@ impl Builder<'_, '_, '_> {
         let number = self.state.units.write_length(limit * 1_000);
         self.raw(format!("{name}={}", number.text()).as_bytes());
         if positive {
-            let way = [("X", 20 * MM), ("Z", 20 * MM), ("L", 80 * MM)];
+            let way = [("X", self.state.sign(Axis::X) * 20 * MM), ("Z", 20 * MM), ("L", 80 * MM)];
             let sense = self.choices.within(2, 3);
             return self.travel(&[sense], &way);
         }
         let mode = self.choices.within(0, 1);
-        self.travel(&[mode], &[(axis.address(), -20 * MM)])
+        self.travel(&[mode], &[(axis.address(), self.state.sign(axis) * -20 * MM)])
     }
 
     fn no_intersection(&mut self) -> bool {

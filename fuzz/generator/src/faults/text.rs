@@ -159,10 +159,6 @@ impl Builder<'_, '_, '_> {
 
     /// An assigned code that is not modelled.
     fn later(&mut self) -> bool {
-        if self.choices.chance(60) {
-            self.code_fault("G", codes::G_LATER)
-        } else {
-            self.code_fault("M", codes::M_LATER)
-        }
+        self.code_fault("G", codes::G_LATER)
     }
 }

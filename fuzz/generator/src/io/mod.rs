@@ -123,7 +123,7 @@ impl Construction {
         (6, Self::Question),
         (10, Self::Output),
         (9, Self::Comment),
-        (10, Self::Message),
+        (12, Self::Message),
         (10, Self::Interference),
     ];
 

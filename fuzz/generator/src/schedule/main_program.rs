@@ -146,7 +146,14 @@ impl Builder<'_, '_, '_> {
 
     /// Compensation that is off at the end, mostly.
     fn end_compensation(&mut self) {
-        if !self.state.compensation.is_on() || self.choices.chance(4) {
+        if !self.choices.chance(4) {
+            self.out_of_compensation();
+        }
+    }
+
+    /// Blocks that end compensation, if it is in force.
+    pub(crate) fn out_of_compensation(&mut self) {
+        if !self.state.compensation.is_on() {
             return;
         }
         if self.state.compensation.has_to_go_on() {

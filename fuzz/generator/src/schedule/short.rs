@@ -82,6 +82,7 @@ impl Builder<'_, '_, '_> {
                 .all(|(axis, way)| self.state.fits(*axis, self.state.program(*axis) + way * times)),
             Short::Send => self.state.io.written + 4 * usize::try_from(times).unwrap_or(AREA) <= AREA,
             Short::Count => self.allows(Feature::Variable),
+            Short::Speed => self.state.turrets.has_own_reference(),
             _ => true,
         }
     }
