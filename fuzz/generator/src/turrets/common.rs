@@ -81,7 +81,7 @@ fn words(choices: &mut Choices<'_, '_>, profile: &Profile, cutting: &mut bool, a
     if choices.chance(12) && allows(Feature::Spindle) {
         return vec![Item::g(50), Item::whole("S", choices.pick(&[1_500, 3_000, 100]))];
     }
-    if choices.chance(28) && allows(Feature::CuttingSpeed) {
+    if choices.chance(28) && allows(Feature::CuttingSpeed) && allows(Feature::Spindle) {
         *cutting = choices.chance(65);
         items.push(Item::g(if *cutting { 96 } else { 97 }));
         items.push(speed(choices, *cutting));
