@@ -140,11 +140,12 @@ impl Interpreter<'_> {
     /// The direction in which M03 and M04 let the main spindle turn: the other one with turret B of a saddle
     /// (E100L-MIRR-06, E100L-MIRR-08).
     fn start_main(&mut self, code: u16) -> Result<SpindleState, Fault> {
-        let clockwise = (code == 3) == (self.state.mirror > 0);
+        let mirrored = self.state.mirror < 0 && !planted::is(Bug::DirectionNotMirrored);
+        let clockwise = (code == 3) != mirrored;
         let wanted = if clockwise { SpindleState::Clockwise } else { SpindleState::CounterClockwise };
         let turns = matches!(self.state.spindle, SpindleState::Clockwise | SpindleState::CounterClockwise);
         let of_other = self.state.other_turret.is_some() && self.state.spindle_side != self.state.selected;
-        if turns && self.state.spindle != wanted && of_other {
+        if turns && self.state.spindle != wanted && of_other && !planted::is(Bug::ReversalAllowed) {
             return Fault::raise(AlarmName::TurretChange, MIRR_08);
         }
         self.state.spindle_side = self.state.selected;

@@ -230,11 +230,18 @@ impl State {
     /// What the limits of an axis make of a position: that of [`Self::machine`], as the place of the limit is.
     #[inline]
     pub fn limited(&self, axis: usize, position: i64) -> Limited {
-        let sign = if axis == X { self.mirror } else { 1 };
+        let mirrored = axis == X && !planted::is(Bug::LimitsNotMirrored);
+        let sign = if mirrored { self.mirror } else { 1 };
         match limit::limited(sign * position, self.negative_limits[axis], self.positive_limits[axis]) {
             Limited::AbovePositive(limit) => Limited::AbovePositive(sign * limit),
             other => other,
         }
+    }
+
+    /// The factor between [`Self::machine`] and machine X.
+    #[inline]
+    pub fn shown_mirror(&self) -> i64 {
+        if planted::is(Bug::MirrorForgotten) { 1 } else { self.mirror }
     }
 
     /// The unit of the feed mode in force.

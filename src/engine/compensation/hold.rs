@@ -35,7 +35,8 @@ impl Interpreter<'_> {
         };
         let mut held = std::mem::take(&mut self.compensation.held);
         for mut event in held.drain(..) {
-            displace(&mut event.action, displacement, self.state.mirror);
+            let mirror = if planted::is(Bug::HeldNotMirrored) { 1 } else { self.state.mirror };
+            displace(&mut event.action, displacement, mirror);
             self.emit_at_once(sink, event);
         }
         self.compensation.held = held;

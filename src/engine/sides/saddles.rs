@@ -9,6 +9,7 @@ use turnspec_oracle::vocabulary::{
 use crate::engine::Interpreter;
 use crate::engine::fault::Fault;
 use crate::engine::names::Names;
+use crate::engine::planted::{self, Bug};
 use crate::engine::slot::Slot;
 use crate::engine::state::{State, X};
 use crate::engine::task::Turn;
@@ -146,7 +147,11 @@ impl<'a> Saddles<'a> {
 
     /// The waiting block of one of two sides that were released together.
     fn run_waiting(&mut self, side: usize, sink: &mut impl Sink) -> Option<Ending> {
-        self.side(side).common = if side == A { Common::ForBoth } else { Common::Done };
+        self.side(side).common = match side {
+            A => Common::ForBoth,
+            _ if planted::is(Bug::CommonTwice) => Common::Own,
+            _ => Common::Done,
+        };
         let ending = self.run(side, sink);
         self.side(side).common = Common::Own;
         self.pair = (side == A).then_some(B);
@@ -179,7 +184,7 @@ impl<'a> Saddles<'a> {
                 self.pair = Some(A);
             }
             (Status::At(Stop::P(p)), Status::At(Stop::P(q))) => {
-                let side = if p < q { A } else { B };
+                let side = if (p < q) != planted::is(Bug::GreaterGoesOn) { A } else { B };
                 if self.common_words(side).any() {
                     return Err((side, self.differ(side)));
                 }
@@ -188,6 +193,9 @@ impl<'a> Saddles<'a> {
             (Status::At(Stop::M100), Status::At(Stop::M100)) => {
                 self.go_on(A, Counterpart, M100_01, sink);
                 self.go_on(B, Counterpart, M100_01, sink);
+            }
+            (Status::At(Stop::M100), Status::At(_)) if planted::is(Bug::M100WaitsForM100) => {
+                self.go_on(A, Counterpart, M100_01, sink);
             }
             (Status::At(Stop::M100), Status::At(_)) => self.go_on(A, PCode, M100_05, sink),
             (Status::At(_), Status::At(Stop::M100)) => self.go_on(B, PCode, M100_05, sink),

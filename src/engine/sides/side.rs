@@ -9,6 +9,7 @@ use turnspec_oracle::vocabulary::{
 use crate::engine::Interpreter;
 use crate::engine::block::Plan;
 use crate::engine::fault::Fault;
+use crate::engine::planted::{self, Bug};
 use crate::engine::slot::Slot;
 use crate::engine::state::{State, X, Z};
 use crate::engine::words::{Address, Words};
@@ -133,7 +134,8 @@ impl CommonWords {
         const M: [u16; 11] = [0, 1, 3, 4, 5, 19, 40, 41, 42, 43, 44];
         let flags = G.map(|code| words.has_g(code)).into_iter().chain(M.map(|code| words.has_m(code)));
         let codes = flags.zip(0..).filter(|(has, _)| *has).map(|(_, bit)| 1 << bit).sum();
-        Self { speed: words.get(Address::S).map(|speed| (speed, words.has_g(50))), codes }
+        let clamp = words.has_g(50) && !planted::is(Bug::SWithoutG50);
+        Self { speed: words.get(Address::S).map(|speed| (speed, clamp)), codes }
     }
 
     /// Whether there are any.
@@ -167,7 +169,11 @@ impl Interpreter<'_> {
 
     /// The program X to which the cutting speed refers.
     pub(in crate::engine) fn reference_x(&self) -> i64 {
-        if self.speed_is_of_other() { self.state.other_x } else { self.state.program(X) }
+        if self.speed_is_of_other() && !planted::is(Bug::OwnReference) {
+            self.state.other_x
+        } else {
+            self.state.program(X)
+        }
     }
 
     /// The machine coordinates at which the torque skips of this side stop.
@@ -237,7 +243,7 @@ impl Interpreter<'_> {
         let Some(side) = &mut self.side else { return };
         let Status::At(stop) = side.status else { return };
         side.status = Status::Ready;
-        side.alone |= cause == ReleaseCause::OtherEnded;
+        side.alone |= cause == ReleaseCause::OtherEnded && !planted::is(Bug::AloneWaits);
         let (p, code) = shown(stop);
         self.emit(sink, RuleSet::of(&[rule]), Action::Release { p, code, cause });
     }

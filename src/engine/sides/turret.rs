@@ -8,6 +8,7 @@ use turnspec_oracle::vocabulary::{
 use crate::engine::Interpreter;
 use crate::engine::fault::Fault;
 use crate::engine::number::Number;
+use crate::engine::planted::{self, Bug};
 use crate::engine::state::{State, TABLE, X, Z};
 use crate::engine::words::{Address, Item, Parsed, Source};
 
@@ -74,7 +75,9 @@ impl State {
         std::mem::swap(&mut self.tool_offsets, &mut other.tool_offsets);
         std::mem::swap(&mut self.nose_radii, &mut other.nose_radii);
         std::mem::swap(&mut self.tool, &mut other.tool);
-        std::mem::swap(&mut self.offset, &mut other.offset);
+        if !planted::is(Bug::OffsetOfOtherTurret) {
+            std::mem::swap(&mut self.offset, &mut other.offset);
+        }
         std::mem::swap(&mut self.nose, &mut other.nose);
         self.selected = self.selected.other();
         self.machine[X] = self.machine[X].saturating_neg();
@@ -122,7 +125,10 @@ impl Interpreter<'_> {
             return Ok(());
         }
         let state = &self.state;
-        if state.compensation != 40 || state.incremental || state.constant_speed {
+        if state.compensation != 40
+            || state.incremental && !planted::is(Bug::ChangeInIncremental)
+            || state.constant_speed
+        {
             return Fault::raise(AlarmName::TurretChange, MIRR_09);
         }
         let open = |rule, detail| Err(Fault::about(AlarmName::Unspecified, rule, detail));
@@ -172,7 +178,7 @@ impl Interpreter<'_> {
     /// The reset clears the shift of turret B behind that of turret A.
     pub(in crate::engine) fn reset_shift_of_b(&mut self, rules: RuleSet, sink: &mut impl Sink) {
         let Some(other) = &mut self.state.other_turret else { return };
-        if std::mem::take(&mut other.zero_shift) != [0; 2] {
+        if std::mem::take(&mut other.zero_shift) != [0; 2] && !planted::is(Bug::ShiftOfBKept) {
             self.state.selected = Side::B;
             self.emit_frame(sink, FrameCause::ZeroShift, rules);
             self.state.selected = Side::A;
