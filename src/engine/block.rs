@@ -69,7 +69,7 @@ impl Plan {
 const AXES: u32 = Address::set(&[Address::X, Address::Z, Address::C, Address::W, Address::A, Address::QA]);
 const ARC: u32 = Address::set(&[Address::I, Address::K, Address::L, Address::Calrg]);
 const IMAGINARY: u32 = Address::set(&[Address::I, Address::K]);
-const ALWAYS: u32 = Address::set(&[Address::F, Address::S, Address::T, Address::SB, Address::SA]);
+const ALWAYS: u32 = Address::set(&[Address::F, Address::S, Address::T, Address::SB, Address::SA, Address::P]);
 const ARC_TAKES: u32 =
     Address::set(&[Address::X, Address::Z, Address::I, Address::K, Address::L, Address::Calrg]);
 const CHAMFER_TAKES: u32 = Address::set(&[Address::X, Address::Z, Address::A, Address::L]);

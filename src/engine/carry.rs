@@ -1,7 +1,11 @@
 //! Carrying a block out: what comes after what (execution, chapter 5).
 
+use std::ops::ControlFlow;
+
 use turnspec_oracle::vocabulary::rule_ids::*;
-use turnspec_oracle::vocabulary::{Action, AlarmName, Duration, Ending, FrameCause, Label, RuleSet, Sink};
+use turnspec_oracle::vocabulary::{
+    Action, AlarmName, Duration, Ending, FrameCause, Label, RuleSet, Side, Sink,
+};
 
 use super::Interpreter;
 use super::arithmetic::speed::thousandths;
@@ -53,14 +57,28 @@ impl Interpreter<'_> {
         if plan.compensation != Change::None {
             self.complete_change(sink)?;
         }
-        let ending = self.stop(words, sink)?;
-        if ending.is_some() {
+        if self.saddle.is_some() && self.comes_to_m100(words, plan, sink) {
+            return Ok(None);
+        }
+        self.finish_steps(slot, plan, from != Some(self.state.machine), sink)
+    }
+
+    /// What comes behind the motion of a block, which may trigger modal calls: its stop or end.
+    pub(super) fn finish_steps(
+        &mut self,
+        slot: &Slot,
+        plan: Plan,
+        triggers: bool,
+        sink: &mut impl Sink,
+    ) -> Result<Option<Ending>, Fault> {
+        let Slot { parsed, words, .. } = slot;
+        if let ControlFlow::Break(ending) = self.stop(words, sink)? {
             return Ok(ending);
         }
         if self.compensation.acts() && !parsed.is_only_name() {
             self.finish_block(sink)?;
         }
-        if self.task.has_modes() && plan.is_axis_motion(words) && from != Some(self.state.machine) {
+        if self.task.has_modes() && plan.is_axis_motion(words) && triggers {
             self.call_modes(sink)?;
         }
         Ok(None)
@@ -72,6 +90,9 @@ impl Interpreter<'_> {
             ($rule:ident) => {
                 const { RuleSet::of(&[GCODE_02, $rule]) }
             };
+        }
+        if self.is_g_done(code) {
+            return;
         }
         let state = &mut self.state;
         let flag = |flag: &mut bool, on: bool| std::mem::replace(flag, on) != on;
@@ -120,6 +141,7 @@ impl Interpreter<'_> {
             }
             _ => return,
         };
+        let rules = if matches!(code, 96 | 97 | 110 | 111) { self.common_rules(rules) } else { rules };
         if changed {
             self.emit_mode(sink, group, code, previous, rules);
         }
@@ -173,7 +195,7 @@ impl Interpreter<'_> {
                     const RULES: RuleSet = RuleSet::of(&[G50_01, G50_02, G50_03, G50_04]);
                     self.emit_word_frame(sink, FrameCause::ZeroShift, RULES);
                 }
-                if let Some(speed) = words.get(Address::S) {
+                if let Some(speed) = words.get(Address::S).filter(|_| !self.is_speed_done()) {
                     self.state.clamp = Some(thousandths(speed));
                     self.emit_main_spindle(sink, const { RuleSet::of(&[SMAX_02]) }, false, self.state.clamp);
                 }
@@ -209,9 +231,9 @@ impl Interpreter<'_> {
     }
 
     /// M00, M01, M02 and M30.
-    fn stop(&mut self, words: &Words, sink: &mut impl Sink) -> Result<Option<Ending>, Fault> {
+    fn stop(&mut self, words: &Words, sink: &mut impl Sink) -> Result<ControlFlow<Option<Ending>>, Fault> {
         let Some(code) = words.m_codes().iter().copied().find(|code| matches!(code, 0 | 1 | 2 | 30)) else {
-            return Ok(None);
+            return Ok(ControlFlow::Continue(()));
         };
         match code {
             0 => self.emit(sink, const { RuleSet::of(&[MCODE_02]) }, Action::Stop),
@@ -224,7 +246,11 @@ impl Interpreter<'_> {
                     self.complete_compensation(sink)?;
                 }
                 if self.schedule.is_running() {
-                    return self.end_selected(code, sink).map(|()| None);
+                    return self.end_selected(code, sink).map(ControlFlow::Continue);
+                }
+                if self.saddle.is_some() {
+                    self.end_side(code, sink);
+                    return Ok(ControlFlow::Break(None));
                 }
                 let late = planted::is(Bug::ResetAfterEnd);
                 if !late {
@@ -235,22 +261,23 @@ impl Interpreter<'_> {
                 if late {
                     self.reset(sink);
                 }
-                return Ok(Some(Ending::End));
+                return Ok(ControlFlow::Break(Some(Ending::End)));
             }
         }
-        Ok(None)
+        Ok(ControlFlow::Continue(()))
     }
 
-    /// Reset at the end of the program.
-    fn reset(&mut self, sink: &mut impl Sink) {
+    /// Reset at the end of the program; of two sides that of A resets what they have in common.
+    pub(super) fn reset(&mut self, sink: &mut impl Sink) {
         let state = &self.state;
+        let own = self.saddle != Some(Side::B);
         let droop = state.droop_control && !planted::is(Bug::ResetForgetsDroop);
         let changes = [
             (state.motion != 0, "motion", 0, state.motion, const { RuleSet::of(&[MCODE_04]) }),
             (state.incremental, "dimension", 90, 91, const { RuleSet::of(&[MCODE_04, ABS_01]) }),
             (state.per_minute, "feed_unit", 95, 94, const { RuleSet::of(&[MCODE_04, FEED_01]) }),
-            (state.constant_speed, "cutting_speed", 97, 96, const { RuleSet::of(&[MCODE_04]) }),
-            (state.speed_by_b, "css_turret", 110, 111, const { RuleSet::of(&[MCODE_04]) }),
+            (own && state.constant_speed, "cutting_speed", 97, 96, const { RuleSet::of(&[MCODE_04]) }),
+            (own && state.speed_by_b, "css_turret", 110, 111, const { RuleSet::of(&[MCODE_04]) }),
             (droop, "droop", 64, 65, const { RuleSet::of(&[MCODE_04]) }),
             (
                 state.compensation != 40,
@@ -266,7 +293,6 @@ impl Interpreter<'_> {
                 self.emit_mode(sink, Label::new(group), code, previous, rules);
             }
         }
-        self.state.speed_by_b = false;
         if self.turret.is_some() {
             return self.reset_turrets(sink);
         }

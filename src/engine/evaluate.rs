@@ -77,7 +77,8 @@ impl Interpreter<'_> {
                 number.whole(1000, Rounding::HalfAway)
             }
             Address::T => self.tool_word(number)?,
-            Address::G | Address::M | Address::P | Address::Q | Address::Calrg => 0,
+            Address::P => whole(number, 0, 9999, PSYNC_01)?,
+            Address::G | Address::M | Address::Q | Address::Calrg => 0,
         };
         words.set(address, value);
         Ok(())

@@ -334,6 +334,7 @@ impl Parser<'_> {
             return Fault::raise(AlarmName::Format, AEXP_01);
         }
         let local = LocalName::of(name)?;
+        self.refuse_variable(local.label())?;
         self.at += length;
         self.operation(Operation::Local(local));
         Ok(())

@@ -4,6 +4,7 @@ use turnspec_oracle::vocabulary::rule_ids::*;
 use turnspec_oracle::vocabulary::{AlarmName, Label};
 
 use super::arithmetic::digits::Digits;
+use super::evaluate::push_number;
 use super::fault::Fault;
 use super::number::Number;
 use super::parse::{KEYWORDS, Parser, check_digits};
@@ -99,10 +100,11 @@ impl Parser<'_> {
         Ok(())
     }
 
-    /// P and Q belong to functions that are not modelled yet (E100L-ADDR-01).
+    /// P, but on two saddles, and Q belong to functions that are not modelled yet (E100L-ADDR-01).
     #[inline]
     pub(super) fn refuse_later_word(&self) -> Result<(), Fault> {
         match self.block.items.last().and_then(Item::address) {
+            Some(Address::P) if self.options.two_saddles => Ok(()),
             Some(address @ (Address::P | Address::Q)) => {
                 Err(Fault::about(AlarmName::NotModelled, ADDR_01, Label::new(address.text())))
             }
@@ -211,6 +213,7 @@ impl Parser<'_> {
             return Ok(());
         }
         let name = local_item(name)?;
+        self.refuse_variable(name.label())?;
         self.at += length;
         self.skip_blanks()?;
         if self.peek() != Some(b'=') {
@@ -265,11 +268,16 @@ impl Parser<'_> {
                     value.saturating_mul(10).saturating_add(u32::from(byte - b'0'))
                 });
                 match u8::try_from(number) {
-                    Ok(number @ 1..=200) if rest.len() <= 3 => Variable::Common(number),
+                    Ok(number @ 1..=200) if rest.len() <= 3 => {
+                        let mut label = const { Label::new("V") };
+                        push_number(&mut label, number.into());
+                        self.refuse_variable(label)?;
+                        Variable::Common(number)
+                    }
                     _ => return Fault::raise(AlarmName::VariableNumber, CVAR_01),
                 }
             }
-            Some(b'A'..=b'Z') => match lookup(name, self.options.w_axis) {
+            Some(b'A'..=b'Z') => match self.lookup(name)? {
                 Lookup::Modelled(variable) => Variable::System(variable),
                 Lookup::Unspecified => {
                     return Err(Fault::about(AlarmName::Unspecified, SVTAB_05, Label::new("VUNIT")));
@@ -283,6 +291,24 @@ impl Parser<'_> {
         };
         self.at += length;
         Ok(variable)
+    }
+
+    /// What the table says of a system variable.
+    fn lookup(&self, name: &[u8]) -> Result<Lookup, Fault> {
+        let found = lookup(name, self.options.w_axis);
+        if found != Lookup::Unknown {
+            self.refuse_variable(Label::from_bytes(name))?;
+        }
+        Ok(found)
+    }
+
+    /// Of two saddles it is not described whose a variable is (E100L-AX4-12).
+    #[inline]
+    pub fn refuse_variable(&self, name: Label) -> Result<(), Fault> {
+        if !self.options.two_saddles {
+            return Ok(());
+        }
+        Err(Fault::about(AlarmName::Unspecified, AX4_12, name))
     }
 
     /// The suffix of a system variable, where the table has one.

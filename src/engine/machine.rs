@@ -1,4 +1,5 @@
-//! What the type of the machine makes of single codes (E100L-MIRR-01, E100L-MIRR-03, E100L-MIRR-20).
+//! What the type of the machine makes of single codes (E100L-MIRR-01, E100L-MIRR-03, E100L-MIRR-20,
+//! E100L-AX4-03, E100L-AX4-12).
 
 use turnspec_oracle::vocabulary::rule_ids::*;
 use turnspec_oracle::vocabulary::{AlarmName, Label, MachineType, Side};
@@ -20,6 +21,7 @@ impl Interpreter<'_> {
             }
             // A plain number would make it a turret block.
             (MachineType::TwoTurrets, 13 | 14) => Err(Fault::about(AlarmName::Unspecified, MIRR_03, detail)),
+            (MachineType::TwoSaddles, 13 | 14) => Err(Fault::about(AlarmName::Unspecified, AX4_03, detail)),
             _ => Ok(()),
         }
     }
@@ -34,6 +36,7 @@ impl Interpreter<'_> {
         match code {
             21 => Err(Fault::about(AlarmName::NotModelled, MCODE_09, detail)),
             25 => Err(Fault::about(AlarmName::NotModelled, MCODE_11, detail)),
+            _ if self.saddle.is_some() => Err(Fault::about(AlarmName::Unspecified, AX4_12, detail)),
             _ if self.turret == Some(Side::B) => Err(Fault::about(AlarmName::Unspecified, MIRR_20, detail)),
             _ => Ok(()),
         }

@@ -58,7 +58,7 @@ impl Interpreter<'_> {
     pub(super) fn m_codes(&mut self, words: &Words, plan: Plan, sink: &mut impl Sink) -> Result<(), Fault> {
         self.state.watch.begin_block();
         for &code in words.m_codes() {
-            if matches!(code, 0 | 1 | 2 | 30) {
+            if matches!(code, 0 | 1 | 2 | 30) || self.is_m_done(code) || code == 100 && self.waits_at_m100() {
                 continue;
             }
             let checked = self.state.check_times && code != 124;

@@ -34,6 +34,7 @@ mod parse;
 mod planted;
 #[cfg(feature = "planted-bugs")]
 pub mod planted;
+mod saddles;
 mod schedule;
 mod slot;
 mod spindle;
@@ -63,6 +64,7 @@ use functions::Scales;
 use names::Names;
 use parse::Options;
 use planted::Bug;
+use saddles::Saddles;
 use schedule::Schedule;
 use slot::Slot;
 use state::State;
@@ -99,6 +101,9 @@ pub struct Interpreter<'a> {
     turret: Option<Side>,
     /// The data of the turret that is not selected.
     idle_turret: Option<Box<Turret>>,
+    /// The side that runs, on machines with two saddles.
+    saddle: Option<Side>,
+    saddles: Saddles<'a>,
     task: Task<'a>,
     compensation: Compensation,
     communication: Communication<'a>,
@@ -167,6 +172,8 @@ impl<'a> Interpreter<'a> {
             state: State::new(setup),
             turret: turrets::first(setup),
             idle_turret: turrets::second(setup),
+            saddle: saddles::first(setup),
+            saddles: Saddles::default(),
             task: Task::new(program, setup.limits.steps),
             compensation: Compensation::default(),
             communication: Communication::default(),
@@ -189,9 +196,10 @@ impl<'a> Interpreter<'a> {
         if self.ending.is_some() {
             return self.ending;
         }
-        let mut slot = self.current.take().unwrap_or_default();
-        let result = self.next_block(&mut slot, sink);
-        self.current = Some(slot);
+        let result = match self.saddle {
+            None => self.with_slot(|interpreter, slot| interpreter.next_block(slot, sink)),
+            Some(_) => self.step_saddles(sink),
+        };
         match result {
             Ok(ending) => self.ending = ending,
             Err(fault) => {
@@ -217,6 +225,15 @@ impl<'a> Interpreter<'a> {
         self.slow
     }
 
+    /// Works on the block in progress.
+    #[inline(always)]
+    fn with_slot<T>(&mut self, work: impl FnOnce(&mut Self, &mut Slot) -> T) -> T {
+        let mut slot = self.current.take().unwrap_or_default();
+        let result = work(self, &mut slot);
+        self.current = Some(slot);
+        result
+    }
+
     fn next_block(&mut self, slot: &mut Slot, sink: &mut impl Sink) -> Result<Option<Ending>, Fault> {
         if self.compensation.acts() {
             self.compensation.begin_block();
@@ -234,6 +251,9 @@ impl<'a> Interpreter<'a> {
             let found = self.read(slot, Turn::Now);
             self.place = slot.place;
             if !found? {
+                if self.saddle.is_some() {
+                    return self.end_side_without_code(sink).map(|()| None);
+                }
                 return Err(self.end_missing());
             }
             if let Some(control) = slot.parsed.control {
@@ -244,6 +264,9 @@ impl<'a> Interpreter<'a> {
             }
             self.inch_block = slot.parsed.has_length && self.units.inch;
             self.evaluate(slot, sink)?;
+        }
+        if self.saddle.is_some() && self.comes_to_block(slot, sink)? {
+            return Ok(None);
         }
         self.carry_out(slot, sink)
     }
@@ -261,7 +284,8 @@ impl<'a> Interpreter<'a> {
     /// The next event, if no other comes before it.
     #[inline(always)]
     fn event(&self, place: Place, rules: RuleSet, readings: ReadingSet, action: Action) -> Event {
-        Event { turret: self.turret, ..Event::new(self.ordinal + 1, place, rules, readings, action) }
+        let event = Event::new(self.ordinal + 1, place, rules, readings, action);
+        Event { turret: self.turret, saddle: self.saddle, ..event }
     }
 
     /// Hands an event to the sink, or holds it.

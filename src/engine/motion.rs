@@ -191,6 +191,10 @@ impl Interpreter<'_> {
         if !self.state.constant_speed {
             return None;
         }
+        if !self.is_speed_reference() {
+            *cites = cites.and(cite::AX4_08);
+            return None;
+        }
         let choice = self.spindle_speed(diameter);
         *cites = cites.and(if cuts { cite::CSS_01 } else { cite::CSS_05 });
         match choice.limit {

@@ -1,7 +1,7 @@
 //! The grammar of a block, from left to right (execution, sections 2 and 3): the leftmost fault decides.
 
 use turnspec_oracle::vocabulary::rule_ids::*;
-use turnspec_oracle::vocabulary::{AlarmName, Label, RuleId, Setup};
+use turnspec_oracle::vocabulary::{AlarmName, Label, MachineType, RuleId, Setup};
 
 use super::fault::Fault;
 use super::planted::{self, Bug};
@@ -17,6 +17,8 @@ pub struct Options {
     pub w_axis: bool,
     /// Whether boolean operators, functions and calls are refused when evaluated.
     pub level_one: bool,
+    /// Whether there are two saddles: P is a word, and neither variables nor statements are described.
+    pub two_saddles: bool,
     /// Whether the block is a VSET block.
     pub setting: bool,
 }
@@ -28,6 +30,7 @@ impl Options {
             block_delete: setup.switches.block_delete,
             w_axis: setup.options.w_axis,
             level_one: setup.options.user_task < 2,
+            two_saddles: setup.machine.r#type == MachineType::TwoSaddles,
             setting: false,
         }
     }

@@ -14,7 +14,6 @@ use super::block::{OneShot, Plan};
 use super::exact::{Formula, Real, round, sign};
 use super::fault::Fault;
 use super::planted::{self, Bug};
-use super::state::X;
 use super::words::{Address, Words};
 
 /// Thousandths of a revolution per minute at a cutting speed (µm/min) on a diameter (nm), less a speed:
@@ -93,6 +92,7 @@ impl Interpreter<'_> {
     pub(super) fn speeds(&mut self, words: &Words, plan: Plan, sink: &mut impl Sink) -> Result<(), Fault> {
         if let Some(speed) = words.get(Address::S)
             && plan.one_shot != OneShot::ZeroShift
+            && !self.is_speed_done()
         {
             let mut rules = const { RuleSet::of(&[SPD_01]) };
             if plan.moves {
@@ -129,10 +129,11 @@ impl Interpreter<'_> {
     ) {
         let turns = matches!(self.state.spindle, SpindleState::Clockwise | SpindleState::CounterClockwise);
         let choice = if turns {
-            self.spindle_speed(self.state.program(X))
+            self.spindle_speed(self.speed_diameter())
         } else {
             SpeedChoice { value: 0, limit: None }
         };
+        rules = self.common_rules(rules);
         let constant = self.state.constant_speed;
         if constant {
             rules = rules.with(CSS_01);

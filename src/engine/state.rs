@@ -194,6 +194,30 @@ impl State {
         }
     }
 
+    /// The state of saddle B at power-on (E100L-AX4-11).
+    pub fn of_saddle_b(setup: &Setup) -> Self {
+        let mut state = Self::new(setup);
+        state.exchange_turret(&mut Turret::b(setup));
+        let b = &setup.turret_b;
+        for (axis, start, limit) in [(X, b.start.x, b.limits.x), (Z, b.start.z, b.limits.z)] {
+            state.machine[axis] = start.0;
+            state.positive_limits[axis] = limit.positive.map(|length| length.0);
+            state.negative_limits[axis] = limit.negative.map(|length| length.0);
+        }
+        state
+    }
+
+    /// Takes over what two saddles have in common: the main spindle (E100L-AX4-11).
+    pub fn take_spindle(&mut self, other: &Self) {
+        self.constant_speed = other.constant_speed;
+        self.speed_by_b = other.speed_by_b;
+        self.speed = other.speed;
+        self.surface = other.surface;
+        self.clamp = other.clamp;
+        self.spindle = other.spindle;
+        self.gear = other.gear;
+    }
+
     /// The amounts of the active tool offset.
     pub fn active_offset(&self) -> [i64; 2] {
         self.tool_offsets.get(usize::from(self.offset)).copied().unwrap_or_default()

@@ -1,6 +1,8 @@
 //! From bytes to blocks of characters: tape codes, lines, continuation lines, the file header
 //! (E100L-TAPE-01, E100L-TAPE-04, E100L-FMT-05).
 
+use std::sync::Arc;
+
 use turnspec_oracle::vocabulary::rule_ids::*;
 use turnspec_oracle::vocabulary::{AlarmName, Label, TapeCode};
 
@@ -130,6 +132,15 @@ pub struct Mark {
     pub closed: bool,
 }
 
+/// A part of a text that holds whole blocks.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Part {
+    /// Its first block.
+    pub start: Mark,
+    /// Offset after its last byte.
+    pub end: usize,
+}
+
 /// What lines are.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Kind {
@@ -150,12 +161,16 @@ pub struct Reader<'a> {
     line: u32,
     /// Whether the line before is one that cannot be continued.
     closed: bool,
+    /// Offset of the end of the text, or of the part that is read.
+    end: usize,
+    /// The parts that are read, in the order of the text, if not all of it is.
+    parts: Option<Arc<[Part]>>,
 }
 
 impl<'a> Reader<'a> {
     /// A reader at the beginning of a text.
     pub fn new(bytes: &'a [u8], code: TapeCode) -> Self {
-        Self { bytes, code, at: 0, line: 1, closed: false }
+        Self { bytes, code, at: 0, line: 1, closed: false, end: bytes.len(), parts: None }
     }
 
     /// Where the next block begins.
@@ -172,11 +187,34 @@ impl<'a> Reader<'a> {
     /// Goes on elsewhere in the same text.
     pub fn seek(&mut self, mark: Mark) {
         Mark { at: self.at, line: self.line, closed: self.closed } = mark;
+        if let Some(parts) = &self.parts {
+            let begun = parts.partition_point(|part| part.start.at <= mark.at);
+            self.end = parts.iter().take(begun).next_back().map_or(0, |part| part.end);
+        }
+    }
+
+    /// Reads nothing but some parts of the text from now on, one after the other.
+    pub fn confine(&mut self, parts: Arc<[Part]>) {
+        self.parts = Some(parts);
+        self.seek(Mark { at: 0, line: 1, closed: false });
+    }
+
+    /// Goes on with the next part that is not empty.
+    #[cold]
+    fn next_part(&mut self) -> bool {
+        let parts = self.parts.as_deref().unwrap_or_default();
+        let next = parts.iter().find(|part| part.start.at >= self.end && part.start.at < part.end);
+        let Some(Part { start, end }) = next.copied() else { return false };
+        Mark { at: self.at, line: self.line, closed: self.closed } = start;
+        self.end = end;
+        true
     }
 
     /// Goes on in another text of the same code.
     pub fn turn_to(&mut self, bytes: &'a [u8], mark: Mark) {
         self.bytes = bytes;
+        self.end = bytes.len();
+        self.parts = None;
         self.seek(mark);
     }
 
@@ -212,7 +250,7 @@ impl<'a> Reader<'a> {
     /// The next line with its continuation lines; none at the end of the text.
     #[inline]
     pub fn next_lines(&mut self) -> Option<Lines> {
-        if self.at >= self.bytes.len() {
+        if self.at >= self.end && !self.next_part() {
             return None;
         }
         let (line, start) = (self.line, self.at);

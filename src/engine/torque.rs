@@ -62,7 +62,7 @@ impl Interpreter<'_> {
         let skip = Skip { axis, cites };
         // Distances from the start in the direction of the feed.
         let along = |point: i64| direction * point.saturating_sub(start);
-        let stop = self.setup.inputs.torque_stops.get(self.state.stops_used).map(|stop| stop.0);
+        let stop = self.torque_stops().get(self.state.stops_used).map(|stop| stop.0);
         self.state.stops_used += usize::from(!planted::is(Bug::TorqueStopReused));
         let stop = stop.filter(|stop| along(*stop) > 0 && along(*stop) <= along(last));
         if let Some(stop) = stop.filter(|stop| along(*stop) <= along(approach))

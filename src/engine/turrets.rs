@@ -61,6 +61,11 @@ fn turret_codes(parsed: &Parsed) -> impl Iterator<Item = u16> {
     })
 }
 
+/// The G word 13 or 14 of a block that has nothing else, if it is a plain number.
+pub fn lone_turret_code(parsed: &Parsed) -> Option<u16> {
+    turret_codes(parsed).next().filter(|_| parsed.items.len() == 1)
+}
+
 /// X and Z of the amounts of a turret, by their causes.
 type Frames = [(FrameCause, [i64; 2]); 3];
 

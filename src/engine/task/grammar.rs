@@ -106,6 +106,7 @@ impl Parser<'_> {
             };
         }
         let keyword = Label::from_bytes(name);
+        self.refuse_statement(keyword)?;
         self.block.control = match keyword.as_str() {
             "PSELECT" | "VSET" | "END" => {
                 return Err(Fault::about(AlarmName::ScheduleStatement, SDF_02, keyword));
@@ -120,6 +121,14 @@ impl Parser<'_> {
             }
         };
         Ok(true)
+    }
+
+    /// How statements go together with two sides is not described (E100L-AX4-12).
+    fn refuse_statement(&self, word: Label) -> Result<(), Fault> {
+        if !self.options.two_saddles {
+            return Ok(());
+        }
+        Err(Fault::about(AlarmName::Unspecified, AX4_12, word))
     }
 
     /// What follows a keyword and the blank behind it. NOEX leaves nothing but its items.
@@ -161,9 +170,8 @@ impl Parser<'_> {
             }
             _ => (None, MACRO_01),
         };
-        if control.is_none() {
-            return Ok(false);
-        }
+        let Some(code) = control.map(Control::word) else { return Ok(false) };
+        self.refuse_statement(code)?;
         self.block.items.clear();
         self.block.control = control;
         self.items(Some(rule))?;

@@ -127,6 +127,17 @@ impl<'a> Task<'a> {
         }
     }
 
+    /// The beginning of the program of another side in the same text.
+    pub fn of_other_side(&self) -> Self {
+        let task = Task::new(self.main, self.steps.left());
+        Self { present: self.present, ..task }
+    }
+
+    /// Goes on with the count of the steps of another side.
+    pub fn take_steps(&mut self, other: &Self) {
+        self.steps = other.steps;
+    }
+
     /// Counts no steps, or more than there can be.
     pub fn count_no_steps(&mut self) {
         self.steps = Steps::new(u64::MAX);
