@@ -29,6 +29,8 @@ impl<'a> Arbitrary<'a> for Formulas {
         let choices = &mut Choices::new(bytes);
         let mut setup = setup::setup(choices, &Profile::FULL);
         setup.tape.code = TapeCode::Ascii;
+        // Two saddles have no variables (E100L-AX4-12).
+        setup.machine = Setup::default().machine;
         setup.variables = (1..=VALUES).map(|number| (format!("V{number}"), any_value(choices))).collect();
         let mut environment = State::new(setup.clone()).environment;
         environment.common = (1..=VALUES).map(|number| (number, 0.0)).collect();

@@ -2,7 +2,9 @@
 
 use turnspec_generator::Nudged;
 use turnspec_oracle::vocabulary::rule_ids::*;
-use turnspec_oracle::vocabulary::{Action, AlarmName, Event, Motion, PlanePosition, RuleId, RuleSet, Setup};
+use turnspec_oracle::vocabulary::{
+    Action, AlarmName, Event, Motion, PlanePosition, RuleId, RuleSet, Setup, Side,
+};
 
 use crate::differential::show;
 use crate::shape::{motion, trace};
@@ -60,7 +62,7 @@ const STEADY: &[RuleId] = &[NRC_15, NRC_26, NRC_30, NRC_44, NRC_45, NRC_66, NRC_
 ///    Nothing is multiplied on the way: an absolute word replaces the difference, an incremental one carries
 ///    it on, G50 keeps it, a limit or a torque stop cuts it off.
 ///    In compensation this is said of the programmed point: the machine coordinate less the way from it to
-///    the tip. A displacement left over (E100L-NRC-71) is passed over.
+///    the tip, which is mirrored in X for turret B. On two saddles it is said of each saddle. A displacement left over (E100L-NRC-71) is passed over.
 /// 3. **Radius.** The centre of an arc by radius stays as far from its end, to within the 3 nm of latching.
 ///
 /// 4. **Tip.** In compensation an end by another rule, a motion that repeats its point, and an extra motion are
@@ -81,9 +83,15 @@ fn moves_little(pair: &Nudged) -> Verdict {
     let same = same_shape(&before, &after);
     let fail = |message: String| format!("{message}\n{}\n{}", show(&pair.before), show(&pair.after));
     let count = same.map_err(fail)?;
-    let (before, after) = (before.get(..count).unwrap_or_default(), after.get(..count).unwrap_or_default());
-    let moved = distance(before, after, pair).and_then(|()| radii(before, after));
-    moved.and_then(|()| tips(before, after, increment(&pair.before.setup))).map_err(fail)
+    for saddle in [None, Some(Side::A), Some(Side::B)] {
+        let own = |trace: &[Event]| -> Vec<Event> {
+            trace.iter().take(count).filter(|event| event.saddle == saddle).copied().collect()
+        };
+        let (before, after) = (own(&before), own(&after));
+        let moved = distance(&before, &after, pair).and_then(|()| radii(&before, &after));
+        moved.and_then(|()| tips(&before, &after, increment(&pair.before.setup))).map_err(fail)?;
+    }
+    Ok(())
 }
 
 /// Whether an expression reads the present position, or the zero shift that depends on it.
@@ -158,11 +166,12 @@ fn ends_compensation(event: &Event) -> bool {
         && matches!(event.action, Action::Mode { code, .. } if code.as_str() == "G40")
 }
 
-/// X and Z of the programmed point in machine coordinates.
-fn programmed(motion: &Motion) -> (i64, i64) {
+/// X and Z of the programmed point in machine coordinates; with turret B they are mirrored in X.
+fn programmed(motion: &Motion, turret: Option<Side>) -> (i64, i64) {
     let tip = motion.tip.unwrap_or(PlanePosition { x: motion.program.x, z: motion.program.z });
     let (x, z) = (tip.x.0 - motion.program.x.0, tip.z.0 - motion.program.z.0);
-    (motion.machine.x.0 - x, motion.machine.z.0 - z)
+    let sign = if turret == Some(Side::B) { -1 } else { 1 };
+    (motion.machine.x.0 - sign * x, motion.machine.z.0 - z)
 }
 
 fn cites(event: &Event, rules: &[RuleId]) -> bool {
@@ -182,9 +191,10 @@ fn distance(before: &[Event], after: &[Event], pair: &Nudged) -> Verdict {
         let (Some(from), Some(to)) = (motion(one), motion(other)) else { continue };
         left_over &= from.tip.is_none() && !cites(one, &[NRC_66, NRC_71]);
         let w = |position: turnspec_oracle::vocabulary::Position| position.w.unwrap_or_default().0;
+        let (there, here) = (programmed(&to, other.turret), programmed(&from, one.turret));
         let moves = [
-            ("X", if left_over { 0 } else { programmed(&to).0 - programmed(&from).0 }),
-            ("Z", if left_over { 0 } else { programmed(&to).1 - programmed(&from).1 }),
+            ("X", if left_over { 0 } else { there.0 - here.0 }),
+            ("Z", if left_over { 0 } else { there.1 - here.1 }),
             ("W", w(to.machine) - w(from.machine)),
         ];
         for (axis, by) in moves {

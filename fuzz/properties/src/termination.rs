@@ -6,7 +6,7 @@ use arbitrary::{Arbitrary, Unstructured};
 use turnspec::engine::Interpreter;
 use turnspec_generator::Case;
 use turnspec_oracle::Run;
-use turnspec_oracle::vocabulary::{Action, Ending, Event, TapeCode};
+use turnspec_oracle::vocabulary::{Action, Ending, Event, MachineType, Side, TapeCode};
 
 use crate::differential::show;
 use crate::shape::is_straight;
@@ -16,14 +16,21 @@ use crate::{Verdict, require};
 ///
 /// | step | events |
 /// |---|---:|
-/// | `mode`: one code of a group (E100L-GCODE-04), five groups whose code can change | 5 |
+/// | `mode`: one code of a group (E100L-GCODE-04), six groups whose code can change, G111 among them | 6 |
 /// | G50: `frame` and `spindle`; G28 and G29, of the same group: one | 2 |
 /// | S, SA, SB: each once in a block (E100L-FMT-06) | 3 |
 /// | T: `tool` and `frame` | 2 |
 /// | M words: eight (E100L-FMT-06), each one event | 8 |
 /// | motion: two elements of a corner, or two of a torque skip; or a dwell | 2 |
-/// | M02, M30 (E100L-MCODE-04): besides `end` five modes and a `frame` | 6 |
-const BLOCK: usize = 28;
+/// | M02, M30 (E100L-MCODE-04): besides `end` seven modes, those of the turrets among them, and a `frame` for each turret | 9 |
+const BLOCK: usize = 32;
+
+/// What a block may have more on two saddles: `wait` and `release` at P and at M100, `side_end`, and the reset of the other
+/// side, five modes and a `frame` less what stands above for the turrets.
+const BLOCK_OF_A_SIDE: usize = BLOCK + 9;
+
+/// Steps that a block takes on two saddles at most: up to its P, up to its M100, to its end, and one in which it is let go.
+const STEPS_OF_A_SIDE: u64 = 4;
 
 /// The fewest characters of an assignment, `V1=1`. It emits `variable` and at most one `frame`.
 const ASSIGNMENT: usize = 4;
@@ -33,8 +40,9 @@ const LONGEST: usize = 158;
 const MODAL_CALLS: usize = 8;
 
 /// A program runs to an end. Without control flow a step reads at least one line or is the last one, so that there are
-/// at most two steps more than ends of block; a block of n characters emits at most 28 + 2⌊n/4⌋ events, and one more if
-/// it is an alarm; and blocks follow the order of the text. With control flow a step takes at least one block, of which
+/// at most two steps more than ends of block; a block of n characters emits at most 32 + 2⌊n/4⌋ events, and one more if
+/// it is an alarm; and blocks follow the order of the text. On two saddles there are four times as many steps at most, a
+/// block has nine events more, and the order is that of the text for each side up to the end of both. With control flow a step takes at least one block, of which
 /// a run begins no more than `limits.steps`; a block has at most 158 characters, and at most eight programs of modal calls
 /// begin behind it. Events are numbered from 1 without a gap, `end` or `alarm` comes last and nowhere else but at the
 /// end of a program that a schedule has selected, and a step after the end does nothing. All this of the oracle and of the engine, on a program of the generator and on the bytes
@@ -61,7 +69,12 @@ fn ends(case: &Case) -> Verdict {
 
 fn bounded(case: &Case, mut step: impl FnMut(&mut Vec<Event>) -> Option<Ending>) -> Verdict {
     let straight = is_straight(case);
-    let most = lines(case) + 2 + if straight { 0 } else { case.setup.limits.steps };
+    let saddles = case.setup.machine.r#type == MachineType::TwoSaddles;
+    let most = match (saddles, straight) {
+        (true, _) => STEPS_OF_A_SIDE * (lines(case) + 2),
+        (false, true) => lines(case) + 2,
+        (false, false) => lines(case) + 2 + case.setup.limits.steps,
+    };
     let mut events = Vec::new();
     let Some(ending) = (0..most).find_map(|_| step(&mut events)) else {
         return Err(format!("no end after {most} steps"));
@@ -72,8 +85,11 @@ fn bounded(case: &Case, mut step: impl FnMut(&mut Vec<Event>) -> Option<Ending>)
         "a step after the end does something".to_owned()
     })?;
     in_order(&events, ending)?;
+    if saddles {
+        return along_the_sides(&events).and_then(|()| few_a_block(&events, BLOCK_OF_A_SIDE));
+    }
     if straight {
-        return along_the_text(&events).and_then(|()| few_a_block(&events));
+        return along_the_text(&events).and_then(|()| few_a_block(&events, BLOCK));
     }
     let most = most * (BLOCK + 2 * (LONGEST / ASSIGNMENT) + MODAL_CALLS) as u64;
     require(events.len() as u64 <= most, || format!("{} events, more than {most}", events.len()))
@@ -122,14 +138,25 @@ fn along_the_text(events: &[Event]) -> Verdict {
     Ok(())
 }
 
-fn few_a_block(events: &[Event]) -> Verdict {
+/// The events of each side up to the end of both, behind which comes the reset.
+fn along_the_sides(events: &[Event]) -> Verdict {
+    let is_end = |event: &Event| matches!(event.action, Action::SideEnd { .. });
+    let count = events.iter().rposition(is_end).map_or(events.len(), |last| last + 1);
+    for side in [Side::A, Side::B] {
+        let own = events.iter().take(count).filter(|event| event.saddle == Some(side));
+        along_the_text(&own.copied().collect::<Vec<_>>())?;
+    }
+    require(events.iter().all(|event| event.saddle.is_some()), || "an event has no saddle".to_owned())
+}
+
+fn few_a_block(events: &[Event], block: usize) -> Verdict {
     let mut blocks = BTreeMap::<u32, (usize, usize)>::new();
     for event in events.iter().filter(|event| !matches!(event.action, Action::Alarm(_))) {
         let length = event.block.end.saturating_sub(event.block.start) as usize;
         blocks.entry(event.block.start).or_insert((0, length)).0 += 1;
     }
     for (start, (count, length)) in blocks {
-        let most = BLOCK + 2 * (length / ASSIGNMENT);
+        let most = block + 2 * (length / ASSIGNMENT);
         require(count <= most, || format!("the block at {start} has {count} events, more than {most}"))?;
     }
     Ok(())
