@@ -20,7 +20,7 @@ use turnspec_generator::{Case, case_from_seed};
 use turnspec_oracle::vocabulary::{Action, Event, Value};
 
 /// No bug may need more programs than that.
-const MOST: u64 = 20_000;
+const MOST: u64 = 60_000;
 const THREADS: u64 = 2;
 /// A bug that was not found yet.
 const NEVER: u64 = u64::MAX;

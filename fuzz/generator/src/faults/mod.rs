@@ -39,6 +39,11 @@ pub(crate) fn choose(choices: &mut Choices<'_, '_>, setup: &Setup) -> Fault {
     if setup.barriers != Setup::default().barriers && choices.chance(30) {
         return Fault::Barrier;
     }
+    match setup.machine.r#type {
+        MachineType::TwoTurrets if choices.chance(25) => return Fault::TurretChange,
+        MachineType::TwoSaddles if choices.chance(25) => return Fault::SidesDiffer,
+        _ => {}
+    }
     if choices.chance(8) {
         return choices.pick(STATEMENTS);
     }

@@ -51,11 +51,12 @@ impl Plan {
         let (side, place) = choices.pick(&places);
         let stop = &mut self.sides[side].stops[place];
         let before = spelled(&stop.common);
-        match choices.below(4) {
+        match choices.below(5) {
             0 => drop(stop.common.pop()),
+            2 if stop.common.iter().any(is_speed) => stop.common.push(Item::g(50)),
             1 => {
                 for item in &mut stop.common {
-                    if matches!(item, Item::Word(word) if word.address == "S") {
+                    if is_speed(item) {
                         *item = Item::whole("S", choices.pick(&[777, 778]));
                     }
                 }
@@ -67,6 +68,10 @@ impl Plan {
         }
         true
     }
+}
+
+fn is_speed(item: &Item) -> bool {
+    matches!(item, Item::Word(word) if word.address == "S")
 }
 
 /// What tells words apart.
