@@ -326,6 +326,15 @@ impl<'a> Reader<'a> {
         lines.line == 1 && self.begins_with_dollar(0)
     }
 
+    /// Whether the lines read last are the header of a schedule program, without any other test of it.
+    pub fn names_schedule(&self, lines: Lines) -> bool {
+        let header: Vec<u8> = if self.is_header(lines) { self.lenient(lines).collect() } else { Vec::new() };
+        let extension =
+            header.iter().rposition(|byte| *byte == b'.').and_then(|point| header.get(point + 1..));
+        let letters = extension.unwrap_or_default().iter().take_while(|byte| byte.is_ascii_uppercase());
+        letters.eq(b"SDF")
+    }
+
     fn is_tape_mark(&self, lines: Lines) -> bool {
         self.closed && !lines.stray && self.is_program_start(lines.start, lines.end)
     }

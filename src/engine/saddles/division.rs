@@ -5,7 +5,7 @@ use std::sync::Arc;
 use turnspec_oracle::vocabulary::Side;
 
 use crate::engine::parse::{Options, Parser};
-use crate::engine::text::{Kind, Lines, Part, Reader};
+use crate::engine::text::{Lines, Part, Reader};
 use crate::engine::turrets::lone_turret_code;
 use crate::engine::words::Parsed;
 
@@ -20,7 +20,7 @@ pub struct Division {
     pub sides: Option<Both<Arc<[Part]>>>,
     /// Whether a side has a block that counts.
     pub counts: Both<bool>,
-    /// Whether the text begins with the header of a schedule program.
+    /// Whether the text begins with the header of a schedule program, whatever else is wrong with that.
     pub schedule: bool,
     /// The line of the end of the text.
     pub last_line: u32,
@@ -44,7 +44,7 @@ impl Division {
         let mut start = reader.mark();
         while let Some(lines) = reader.next_lines() {
             if reader.is_no_block(lines) {
-                division.schedule |= matches!(reader.kind(lines), Ok(Kind::ScheduleHeader));
+                division.schedule |= reader.names_schedule(lines);
                 continue;
             }
             match (classify(&reader, lines, options, &mut parsed, &mut buffer), side) {
@@ -129,6 +129,21 @@ mod tests {
     fn other_words_select_nothing() {
         for text in ["G13 X1\nX2\n", "G=10+3\nX2\n", "G13 G13\nX2\n", "NOEX G13\nX2\n", "G13 &\nX2\n", ""] {
             assert!(division(text).0.sides.is_none(), "{text}");
+        }
+    }
+
+    #[test]
+    fn headers_name_schedules() {
+        for (text, schedule) in [
+            ("$JOB.SDF%\nEND\n", true),
+            ("$JOB.SDF\nEND\n", true),
+            ("$A.B.SDF1%\n", true),
+            ("$JOB.SDFX%\n", false),
+            ("$SDF%\n", false),
+            ("$JOB.MIN%\n", false),
+            ("G13\n$JOB.SDF%\n", false),
+        ] {
+            assert_eq!(division(text).0.schedule, schedule, "{text}");
         }
     }
 

@@ -8,6 +8,7 @@ use turnspec_oracle::vocabulary::{
 
 use crate::engine::Interpreter;
 use crate::engine::fault::Fault;
+use crate::engine::names::Names;
 use crate::engine::slot::Slot;
 use crate::engine::state::State;
 use crate::engine::task::Turn;
@@ -80,12 +81,14 @@ impl<'a> Interpreter<'a> {
         let counts = division.counts;
         if let Some((a, b)) = sides {
             self.begun = true;
+            // The names in front of the selection are those of neither side.
+            self.names = Names::default();
             self.reader.confine(a);
             let mut reader: Reader<'a> = self.reader.clone();
             reader.confine(b);
             self.saddles.idle = Some(Box::new(Lane {
                 reader,
-                names: Default::default(),
+                names: Names::default(),
                 begun: true,
                 ahead: Default::default(),
                 ahead_count: 0,
