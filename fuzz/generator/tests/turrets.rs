@@ -116,7 +116,7 @@ fn deeds(events: &[Event]) -> BTreeSet<&'static str> {
                 }
             }
             Action::Frame { .. } if event.rules.as_slice().contains(&MIRR_18) => {
-                let _ = deeds.insert("other data");
+                deeds.insert("other data");
             }
             Action::Arc { .. } if mirrored => {
                 deeds.insert("arc of turret B");

@@ -2,9 +2,7 @@
 
 use turnspec_generator::Nudged;
 use turnspec_oracle::vocabulary::rule_ids::*;
-use turnspec_oracle::vocabulary::{
-    Action, AlarmName, Event, Motion, PlanePosition, RuleId, RuleSet, Setup, Side,
-};
+use turnspec_oracle::vocabulary::{Action, AlarmName, Event, PlanePosition, RuleId, RuleSet, Setup, Side};
 
 use crate::differential::show;
 use crate::shape::{motion, trace};
@@ -167,11 +165,12 @@ fn ends_compensation(event: &Event) -> bool {
 }
 
 /// X and Z of the programmed point in machine coordinates; with turret B they are mirrored in X.
-fn programmed(motion: &Motion, turret: Option<Side>) -> (i64, i64) {
+fn programmed(event: &Event) -> Option<(i64, i64)> {
+    let motion = motion(event)?;
     let tip = motion.tip.unwrap_or(PlanePosition { x: motion.program.x, z: motion.program.z });
     let (x, z) = (tip.x.0 - motion.program.x.0, tip.z.0 - motion.program.z.0);
-    let sign = if turret == Some(Side::B) { -1 } else { 1 };
-    (motion.machine.x.0 - sign * x, motion.machine.z.0 - z)
+    let sign = if event.turret == Some(Side::B) { -1 } else { 1 };
+    Some((motion.machine.x.0 - sign * x, motion.machine.z.0 - z))
 }
 
 fn cites(event: &Event, rules: &[RuleId]) -> bool {
@@ -191,7 +190,7 @@ fn distance(before: &[Event], after: &[Event], pair: &Nudged) -> Verdict {
         let (Some(from), Some(to)) = (motion(one), motion(other)) else { continue };
         left_over &= from.tip.is_none() && !cites(one, &[NRC_66, NRC_71]);
         let w = |position: turnspec_oracle::vocabulary::Position| position.w.unwrap_or_default().0;
-        let (there, here) = (programmed(&to, other.turret), programmed(&from, one.turret));
+        let (Some(here), Some(there)) = (programmed(one), programmed(other)) else { continue };
         let moves = [
             ("X", if left_over { 0 } else { there.0 - here.0 }),
             ("Z", if left_over { 0 } else { there.1 - here.1 }),
@@ -234,13 +233,9 @@ fn tips(before: &[Event], after: &[Event], increment: i64) -> Verdict {
         if !lines || !cites(one, STEADY) || corners_differ(one, other) || shape(one) != shape(other) {
             continue;
         }
-        let (Some(start), Some(end), Some(behind)) = (motion(first), motion(one), motion(next)) else {
-            continue;
-        };
-        let (Some(from), Some(to)) = (displaced(&end), motion(other).as_ref().and_then(displaced)) else {
-            continue;
-        };
-        let shorter = length(&start, &end).min(length(&end, &behind));
+        let (Some(from), Some(to)) = (displaced(one), displaced(other)) else { continue };
+        let (Some(before), Some(behind)) = (length(first, one), length(one, next)) else { continue };
+        let shorter = before.min(behind);
         if shorter == 0.0 || from.away > 2.0 * from.radius {
             continue;
         }
@@ -261,7 +256,8 @@ struct Displaced {
     radius: f64,
 }
 
-fn displaced(motion: &Motion) -> Option<Displaced> {
+fn displaced(event: &Event) -> Option<Displaced> {
+    let motion = motion(event)?;
     let (tip, nose) = (motion.tip?, motion.nose?);
     let from = |point: PlanePosition, x: i64, z: i64| ((point.x.0 - x) as f64 / 2.0, (point.z.0 - z) as f64);
     let (x, z) = from(tip, motion.program.x.0, motion.program.z.0);
@@ -271,9 +267,9 @@ fn displaced(motion: &Motion) -> Option<Displaced> {
 }
 
 /// The length of a line between two programmed points, X as a radius.
-fn length(from: &Motion, to: &Motion) -> f64 {
-    let ((from_x, from_z), (to_x, to_z)) = (programmed(from), programmed(to));
-    ((to_x - from_x) as f64 / 2.0).hypot((to_z - from_z) as f64)
+fn length(from: &Event, to: &Event) -> Option<f64> {
+    let ((from_x, from_z), (to_x, to_z)) = (programmed(from)?, programmed(to)?);
+    Some(((to_x - from_x) as f64 / 2.0).hypot((to_z - from_z) as f64))
 }
 
 /// The distance of an arc's end from its centre, in nanometres.

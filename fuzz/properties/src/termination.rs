@@ -164,9 +164,9 @@ fn few_a_block(events: &[Event], block: usize) -> Verdict {
 
 #[cfg(test)]
 mod tests {
-    use super::{BLOCK, bounded};
+    use super::{BLOCK, along_the_sides, bounded};
     use turnspec_generator::Case;
-    use turnspec_oracle::vocabulary::{Ending, Event, Setup};
+    use turnspec_oracle::vocabulary::{Ending, Event, MachineType, Setup, Side};
 
     use crate::shape::trace;
 
@@ -199,6 +199,22 @@ mod tests {
             events.iter_mut().zip(1..).for_each(|(event, n)| event.n = n);
         };
         assert!(verdict(many).is_err_and(|message| message.contains("more than")));
+    }
+
+    #[test]
+    fn sides_out_of_order_are_noticed() {
+        let mut case = Case { program: b"G14\nG00 X1\nG13\nG00 X2\nX3\nG14\nM02\n".to_vec(), ..case() };
+        case.setup.machine.r#type = MachineType::TwoSaddles;
+        let events = trace(&case);
+        assert_eq!(along_the_sides(&events), Ok(()));
+        let changed = |change: fn(&mut Vec<Event>)| {
+            let mut events = events.clone();
+            change(&mut events);
+            along_the_sides(&events)
+        };
+        assert!(changed(|events| events.swap(0, 1)).is_err());
+        assert!(changed(|events| events[0].saddle = Some(Side::B)).is_err());
+        assert!(changed(|events| events[0].saddle = None).is_err());
     }
 
     #[test]
