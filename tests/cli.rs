@@ -466,6 +466,16 @@ fn plot_draws_up_to_an_alarm() {
     assert!(outcome.stderr.contains("/no/such/folder/a.svg"), "{}", outcome.stderr);
 }
 
+#[test]
+fn explain_shows_where_the_saddles_wait() {
+    let program = Scratch::new("saddles.min", b"G13\nG00 X10 P20\nG14\nG01 X20\nM02\n");
+    let setup = Scratch::new("saddles.toml", b"[machine]\ntype = \"2S\"\n");
+    let outcome = turnspec(&["explain", "--setup", setup.path(), program.path()]);
+    assert_eq!(outcome.status, 1);
+    let part = "saddles   A waits at P20, line 2; B at line 4";
+    assert!(outcome.stderr.contains("no_feed") && outcome.stderr.contains(part), "{}", outcome.stderr);
+}
+
 /// A program without a name is known by the file that was selected.
 #[test]
 fn an_alarm_of_a_selected_program_shows_its_file() {

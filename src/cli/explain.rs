@@ -13,7 +13,7 @@ use super::input::Program;
 use super::machine::Machine;
 use super::options::SetupOptions;
 use super::report::Reporter;
-use super::situation::{CommonVariables, situation};
+use super::situation::{Told, situation};
 use super::sources::Sources;
 use super::words::describe;
 use super::wrap::wrap;
@@ -82,7 +82,7 @@ pub fn carry_out(arguments: &Arguments, color: ColorChoice) -> Result<Verdict, F
         Explanation { out, sources: &sources, book: &book, told: BTreeSet::new(), block: None };
     let mut run = Run::new(&program.text, &setup);
     let mut alarm = None;
-    let mut variables = CommonVariables::default();
+    let mut told = Told::default();
     let mut written = Ok(());
     let mut found = arguments.block.is_none();
     loop {
@@ -93,7 +93,7 @@ pub fn carry_out(arguments: &Arguments, color: ColorChoice) -> Result<Verdict, F
                 written = explanation.event(event);
             }
             sources.follow(event);
-            variables.event(event);
+            told.event(event);
             if let Action::Alarm(each) = event.action {
                 alarm = Some((each, *event));
             }
@@ -107,7 +107,7 @@ pub fn carry_out(arguments: &Arguments, color: ColorChoice) -> Result<Verdict, F
     if let Some((alarm, event)) = &alarm {
         let reporter = Reporter::new(&sources, &book, color.on_stderr());
         reporter.report(alarm, &event.rules, &event.block, event.block.start..event.block.end);
-        let _ = stderr().write_all(situation(&run, &variables).as_bytes());
+        let _ = stderr().write_all(situation(&run, &told).as_bytes());
     }
     if !found {
         return Err(Failure::about(

@@ -1,28 +1,45 @@
-//! Where a run stands when it stops at an alarm: the programs that call each other, variables, modes.
+//! Where a run stands when it stops at an alarm: the programs that call each other, variables, modes; of two saddles
+//! where each waits.
 
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
 use turnspec_oracle::Run;
 use turnspec_oracle::vocabulary::notation::value_text;
-use turnspec_oracle::vocabulary::{Action, Event, Place};
+use turnspec_oracle::vocabulary::{Action, Event, Place, Side};
 
-/// The variables with a number that a run has set, by that number.
+/// What the events of a run tell about where it stands.
 #[derive(Default)]
-pub struct CommonVariables(BTreeMap<u32, String>);
+pub struct Told {
+    /// The variables with a number that the run has set, by that number.
+    common: BTreeMap<u32, String>,
+    /// What each saddle does, on machines with two.
+    saddles: BTreeMap<Side, String>,
+}
 
-impl CommonVariables {
+impl Told {
     /// Takes an event into account.
     pub fn event(&mut self, event: &Event) {
-        let Action::Variable { name, value } = &event.action else { return };
-        if let Some(number) = name.as_str().strip_prefix('V').and_then(|digits| digits.parse().ok()) {
-            self.0.insert(number, value_text(value));
+        if let Action::Variable { name, value } = &event.action
+            && let Some(number) = name.as_str().strip_prefix('V').and_then(|digits| digits.parse().ok())
+        {
+            self.common.insert(number, value_text(value));
         }
+        let Some(side) = event.saddle else { return };
+        let doing = match &event.action {
+            Action::Wait { p, code } => {
+                let stop = p.map_or_else(|| code.to_string(), |p| format!("P{p}"));
+                format!("waits at {stop}, {}", place(&event.block))
+            }
+            Action::SideEnd { .. } => format!("at its end, {}", place(&event.block)),
+            _ => format!("at {}", place(&event.block)),
+        };
+        self.saddles.insert(side, doing);
     }
 }
 
 /// The situation of a run in some lines; nothing where there is nothing but the main program.
-pub fn situation(run: &Run, common: &CommonVariables) -> String {
+pub fn situation(run: &Run, told: &Told) -> String {
     let mut text = String::new();
     let calls: Vec<String> = run
         .call_stack()
@@ -44,13 +61,17 @@ pub fn situation(run: &Run, common: &CommonVariables) -> String {
         })
         .collect();
     line(&mut text, "locals", &locals);
-    let common: Vec<String> = common.0.iter().map(|(number, value)| format!("V{number}={value}")).collect();
+    let common: Vec<String> =
+        told.common.iter().map(|(number, value)| format!("V{number}={value}")).collect();
     line(&mut text, "variables", &common);
     let modes: Vec<String> = run
         .active_modes()
         .map(|mode| format!("{} {}, begun at {}", mode.number, mode.program, place(&mode.began_at)))
         .collect();
     line(&mut text, "modes", &modes);
+    let saddles: Vec<String> =
+        told.saddles.iter().map(|(side, doing)| format!("{} {doing}", side.as_str())).collect();
+    line(&mut text, "saddles", &saddles);
     text
 }
 
