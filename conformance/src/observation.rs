@@ -13,6 +13,7 @@ pub const KINDS: &[&str] = &[
     "rapid",
     "linear",
     "arc",
+    "thread",
     "dwell",
     "spindle",
     "tool",
@@ -22,6 +23,11 @@ pub const KINDS: &[&str] = &[
     "frame",
     "mode",
     "variable",
+    "call",
+    "return",
+    "output",
+    "message",
+    "select",
     "stop",
     "optional_stop",
     "end",
@@ -60,6 +66,12 @@ const PLAIN: &[(&str, &str)] = &[
     ("end_code", "end_code"),
     ("file", "file"),
     ("repetition", "repetition"),
+    ("lead", "lead"),
+    ("axis", "axis"),
+    ("change", "change"),
+    ("start", "start"),
+    ("pass", "pass"),
+    ("part", "part"),
 ];
 const PROGRAM: &[(&str, &str)] = &[("x", "x"), ("z", "z"), ("c", "c"), ("w", "w")];
 const MACHINE: &[(&str, &str)] = &[("x", "mx"), ("z", "mz"), ("c", "mc"), ("w", "mw")];
