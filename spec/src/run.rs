@@ -1,6 +1,7 @@
 //! A run: block after block, each stage in turn, events numbered and placed.
 
 mod ahead;
+mod passes;
 mod programs;
 mod reading;
 mod schedule;
@@ -20,7 +21,9 @@ use crate::path;
 use crate::schedule::Schedule;
 use crate::state::State;
 use crate::task::{Calls, Registration};
+use crate::thread;
 use crate::vocabulary::{Action, Ending, Event, Place, Setup, Sink};
+use passes::Cycle;
 use reading::{Block, Content, Reader};
 use statement::Carried;
 
@@ -32,9 +35,19 @@ pub struct Run<'a> {
     compensation: Compensation,
     /// The schedule program, if the main text is one.
     schedule: Option<Schedule>,
+    /// A compound thread cycle of which passes are left.
+    cycle: Option<Box<Cycle>>,
     setup: &'a Setup,
     events: u64,
     ending: Option<Ending>,
+}
+
+/// What is to be carried out of a block.
+enum Rest {
+    /// All.
+    All(Content),
+    /// The passes that are left of a cycle, and what comes after them.
+    Cycle(Box<Cycle>),
 }
 
 /// Whether a program goes on.
@@ -59,13 +72,14 @@ impl<'a> Run<'a> {
             schedule,
             state: State::new(setup),
             compensation: Compensation::Off,
+            cycle: None,
             setup,
             events: 0,
             ending: None,
         }
     }
 
-    /// Carries out the next block, be it empty or skipped; the events that are decided then go to the sink. `Some` when the run has ended.
+    /// Carries out the next block, be it empty or skipped, of a compound thread cycle the next pass; the events that are decided then go to the sink. `Some` when the run has ended.
     pub fn step(&mut self, sink: &mut impl Sink) -> Option<Ending> {
         if self.ending.is_some() {
             return self.ending;
@@ -94,7 +108,7 @@ impl<'a> Run<'a> {
         sink.event(&Event { n: self.events, block, rules, readings, action });
     }
 
-    /// Carries out one block: the events that are decided then, in order, each with its place. The place of the
+    /// Carries out one block, or a pass of it: the events that are decided then, in order, each with its place. The place of the
     /// block is set as soon as it is known.
     pub(crate) fn block(
         &mut self,
@@ -104,9 +118,22 @@ impl<'a> Run<'a> {
         if self.in_schedule() {
             return self.schedule_block(place, decided);
         }
-        let Block { place: here, content, behind } = self.reader.arrive(self.calls.running_mut(), place)?;
-        let mut stream = self.compensation.stream(here, decided);
-        let progress = self.carry_out(content, Carried { place: here, behind }, &mut stream);
+        let cycle = self.cycle.take();
+        let (block, rest) = match cycle {
+            Some(cycle) => {
+                self.reader.step(cycle.block.place, place)?;
+                (cycle.block, Rest::Cycle(cycle))
+            }
+            None => {
+                let Block { place, content, behind } = self.reader.arrive(self.calls.running_mut(), place)?;
+                (Carried { place, behind }, Rest::All(content))
+            }
+        };
+        let mut stream = self.compensation.stream(block.place, decided);
+        let progress = match rest {
+            Rest::Cycle(cycle) => self.pass(cycle, &mut stream),
+            Rest::All(content) => self.carry_out(content, block, &mut stream),
+        };
         stream.close();
         if progress? == Progress::Ended {
             return Ok(self.program_ended(decided));
@@ -136,12 +163,26 @@ impl<'a> Run<'a> {
             // The frame may have changed: a corner of before means nothing now.
             self.state.base = None;
         }
+        if plan.is_compound() {
+            return self.compound(plan, block, stream);
+        }
         let moved = self.motion(&plan, stream)?;
-        if modal::ends_program(&plan) {
+        self.after_motion(&plan, moved, block, stream)
+    }
+
+    /// What comes after the motion of a block.
+    fn after_motion(
+        &mut self,
+        plan: &Plan,
+        moved: bool,
+        block: Carried,
+        stream: &mut Stream,
+    ) -> Outcome<Progress> {
+        if modal::ends_program(plan) {
             self.compensation.end_of_program(stream, &self.state)?;
             self.check_end_of_selected()?;
         }
-        if modal::after_motion(&plan, self.schedule.is_some(), &mut self.state, &mut stream.emissions) {
+        if modal::after_motion(plan, self.schedule.is_some(), &mut self.state, &mut stream.emissions) {
             return Ok(Progress::Ended);
         }
         self.compensation.end_of_block(moved, stream, &self.state)?;
@@ -169,7 +210,12 @@ impl<'a> Run<'a> {
                 let number = plan.words.feed.clone().unwrap_or_default();
                 dwell = Some(modal::dwell(&number, &self.state)?);
             }
-            Some(22) => path::torque_skip(plan, &mut self.state, &mut stream.emissions)?,
+            Some(22) => {
+                // E100L-G34-05.
+                self.state.thread.chain = false;
+                path::torque_skip(plan, &mut self.state, &mut stream.emissions)?;
+            }
+            None if plan.is_thread() => thread::cut(plan, &mut self.state, &mut stream.emissions)?,
             _ if plan.moves => {
                 let ahead = self.look_ahead(plan)?;
                 elements = path::elements(plan, &ahead, &mut self.state)?;

@@ -7,6 +7,7 @@ use crate::controls::e100l::system_variables::Axis;
 use crate::frame::{Frame, Limits, TravelLimit};
 use crate::path::Point;
 use crate::task::Memory;
+use crate::thread;
 use crate::vocabulary::{Setup, SpindleState};
 
 /// The state of a control.
@@ -43,6 +44,8 @@ pub struct State<'a> {
     pub base: Option<Base>,
     /// The end point of this block, when the block before had an angle alone.
     pub angle_target: Option<Point>,
+    /// The thread that goes on in the next block.
+    pub thread: thread::Kept,
 }
 
 /// The modal G codes, in the order of the groups.
@@ -58,6 +61,8 @@ pub struct StoredFeed {
     pub per_revolution: i64,
     /// The feed code in force when it was programmed.
     pub given_in: u16,
+    /// J: how many leads of a thread the feed per revolution holds (E100L-THRD-06).
+    pub leads: i64,
 }
 
 /// What was commanded of the spindles.
@@ -109,6 +114,7 @@ impl<'a> State<'a> {
             cut_last: false,
             base: None,
             angle_target: None,
+            thread: thread::Kept::default(),
         }
     }
 

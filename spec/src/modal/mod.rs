@@ -17,5 +17,5 @@ pub use carry_out::{after_motion, before_motion, ends_program};
 pub use check::{Before, Change, Plan, check};
 pub use feed::active_feed;
 pub use feed::dwell;
-pub use spindle::motion_speed;
+pub use spindle::{motion_speed, turning_speed};
 pub use words::{Other, Words, evaluate};

@@ -24,9 +24,8 @@ pub fn items(cursor: &mut Cursor, setup: &Setup) -> Outcome<Vec<Item>> {
 /// The next item of a block of items.
 pub fn next(cursor: &mut Cursor, setup: &Setup) -> Outcome<Option<Item>> {
     let item = any(cursor, setup)?;
-    if let Some(Item { kind: ItemKind::Word(Address::Letter(letter @ (b'P' | b'Q')), _), span }) = &item {
-        let fault = Fault::about(AlarmName::NotModelled, ADDR_01, &char::from(*letter).to_string());
-        return Err(fault.at(span.clone()));
+    if let Some(Item { kind: ItemKind::Word(Address::Letter(b'P'), _), span }) = &item {
+        return Err(Fault::about(AlarmName::NotModelled, ADDR_01, "P").at(span.clone()));
     }
     Ok(item)
 }
