@@ -6,7 +6,7 @@
 use std::collections::BTreeSet;
 
 use turnspec_oracle::vocabulary::{
-    Action, Event, Feature, FrameCause, Limit, Setup, SpindleName, TapeCode, UnitSystem,
+    Action, Event, Feature, FrameCause, Limit, MachineType, Setup, SpindleName, TapeCode, UnitSystem,
 };
 
 use crate::words::Words;
@@ -105,6 +105,9 @@ criteria! {
     Tool "address T; a `tool` event" |has| has.letter('T') || has.kind(|action| matches!(action, Action::Tool { .. }));
     Torque "G22, G28, G29" |has| has.g(&[22, 28, 29]);
     Turret "G13, G14; a rule of TUR, TUNC" |has| has.g(&[13, 14]) || has.area(&["TUR", "TUNC"]);
+    TwoSaddles "a machine of type `2S` in the set-up" |has| has.setup.machine.r#type == MachineType::TwoSaddles;
+    TwoTurrets "a machine of type `1S-2T` in the set-up; M100; a rule of MIRR, M100" |has|
+        has.setup.machine.r#type == MachineType::TwoTurrets || has.m(&[100]) || has.area(&["MIRR", "M100"]);
     Units "another unit system than `1mm` in the set-up; G20, G21" |has|
         has.setup.unit_system != UnitSystem::Millimetre || has.g(&[20, 21]);
     UserAlarm "a rule of VUACM" |has| has.area(&["VUACM"]);

@@ -101,7 +101,7 @@ mod tests {
             path: Length(131_244_047),
         };
         let (block, rules, readings) = (Place::default(), RuleSet::EMPTY, ReadingSet::default());
-        [Event { n: 1, block, rules, readings, action }]
+        [Event::new(1, block, rules, readings, action)]
     }
 
     fn figure(field: &str, value: &str, tolerance: &str) -> Figure {

@@ -28,6 +28,9 @@ pub const KINDS: &[&str] = &[
     "output",
     "message",
     "select",
+    "wait",
+    "release",
+    "side_end",
     "stop",
     "optional_stop",
     "end",
@@ -72,6 +75,9 @@ const PLAIN: &[(&str, &str)] = &[
     ("start", "start"),
     ("pass", "pass"),
     ("part", "part"),
+    ("p", "p"),
+    ("turret", "turret"),
+    ("saddle", "saddle"),
 ];
 const PROGRAM: &[(&str, &str)] = &[("x", "x"), ("z", "z"), ("c", "c"), ("w", "w")];
 const MACHINE: &[(&str, &str)] = &[("x", "mx"), ("z", "mz"), ("c", "mc"), ("w", "mw")];

@@ -126,6 +126,9 @@ chapters! {
     "e100l/user-alarms.md"
     "e100l/schedules.md"
     "e100l/schedules-select.md"
+    "e100l/two-turrets.md"
+    "e100l/two-saddles.md"
+    "e100l/synchronisation.md"
     "e100l/acceleration.md"
 }
 

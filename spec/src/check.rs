@@ -5,7 +5,8 @@ use std::ops::Range;
 use crate::fault::Fault;
 use crate::run::{Progress, Run};
 use crate::syntax::{Address, Body, Item, ItemKind, ScheduleBlock, Source, Value, parse, parse_schedule};
-use crate::vocabulary::{Alarm, Label, Place, RuleSet, Setup};
+use crate::turret::selected_by;
+use crate::vocabulary::{Alarm, Label, MachineType, Place, RuleSet, Setup, Side};
 
 /// One fault that [`check`] found.
 #[derive(Clone, PartialEq, Debug)]
@@ -60,6 +61,11 @@ fn grammar_faults(program: &[u8], setup: &Setup) -> Vec<Diagnostic> {
     let mut source = Source::new(program, setup.tape.code);
     let schedule = source.header_of_schedule().unwrap_or(setup.schedule);
     let mut program_name = Label::default();
+    let mut sides = Sides::of(setup);
+    if schedule && sides.is_some() {
+        // E100L-AX4-12: nothing of it is read.
+        return diagnostics;
+    }
     loop {
         let line = match source.next_line() {
             Ok(Some(line)) => line,
@@ -78,12 +84,57 @@ fn grammar_faults(program: &[u8], setup: &Setup) -> Vec<Diagnostic> {
             }
             continue;
         }
-        match parse(&line, setup, &mut place.sequence).map(|block| block.body) {
+        let body = parse(&line, setup, &mut place.sequence).map(|block| block.body);
+        if let Some(sides) = &mut sides
+            && !sides.reach(body.as_ref().ok())
+        {
+            continue;
+        }
+        match body {
             Ok(Body::ProgramName(name)) => program_name = name,
-            Ok(Body::Items(items)) if items.iter().any(ends_program) => return diagnostics,
+            Ok(Body::Items(items)) if sides.is_none() && ends(&items, setup) => {
+                return diagnostics;
+            }
             Ok(_) => {}
             Err(fault) => diagnostics.push(Diagnostic::new(&fault, place)),
         }
+    }
+}
+
+/// E100L-MIRR-03: what stands with a turret code does nothing.
+fn ends(items: &[Item], setup: &Setup) -> bool {
+    let ignored = setup.machine.r#type == MachineType::TwoTurrets && !selected_by(items).is_empty();
+    !ignored && items.iter().any(ends_program)
+}
+
+/// How far the programs of two saddles reach: what stands behind the end of a side is no part of its program.
+#[derive(Default)]
+struct Sides {
+    side: Option<Side>,
+    ended: Vec<Side>,
+}
+
+impl Sides {
+    /// Those of a machine that has them.
+    fn of(setup: &Setup) -> Option<Self> {
+        (setup.machine.r#type == MachineType::TwoSaddles).then(Self::default)
+    }
+
+    /// Whether a block is part of the program of a side.
+    fn reach(&mut self, body: Option<&Body>) -> bool {
+        let items: &[Item] = match body {
+            Some(Body::Items(items)) => items,
+            _ => &[],
+        };
+        if let ([_], [side]) = (items, selected_by(items).as_slice()) {
+            self.side = Some(*side);
+            return true;
+        }
+        let reached = self.side.is_none_or(|side| !self.ended.contains(&side));
+        if items.iter().any(ends_program) {
+            self.ended.extend(self.side);
+        }
+        reached
     }
 }
 

@@ -1,7 +1,7 @@
 //! What a stage emits, before the run numbers it and gives it its place.
 
 use crate::path::Point;
-use crate::vocabulary::{Action, Reading, ReadingSet, RuleId, RuleSet};
+use crate::vocabulary::{Action, Reading, ReadingSet, RuleId, RuleSet, Side};
 
 /// An event without number and place.
 #[derive(Clone, PartialEq, Debug)]
@@ -12,15 +12,31 @@ pub struct Emission {
     pub rules: RuleSet,
     /// The readings it depends on.
     pub readings: ReadingSet,
-    /// From the tip to the nose centre (X as a diameter, Z), of a motion that leaves the tip where the motion before
-    /// it brings it: tip and nose are shown when its turn comes.
-    pub at_rest: Option<Point>,
+    /// The turret or the saddle that it is about; without one that of its block.
+    pub side: Option<Side>,
+    /// Of a motion that leaves the tip where the motion before it brings it: tip and nose are shown when its turn
+    /// comes.
+    pub at_rest: Option<AtRest>,
+}
+
+/// How tip and nose are told from the place of the axes.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct AtRest {
+    /// From the tip to the nose centre: X as a diameter, and Z.
+    pub to_centre: Point,
+    /// Whether X of the machine runs against X of the program (E100L-MIRR-05).
+    pub mirrored: bool,
 }
 
 impl Emission {
     /// An event that these rules produced.
     pub fn new(action: Action, rules: RuleSet) -> Self {
-        Self { action, rules, readings: ReadingSet::default(), at_rest: None }
+        Self { action, rules, readings: ReadingSet::default(), side: None, at_rest: None }
+    }
+
+    /// The event, about a turret or a saddle.
+    pub fn of(self, side: Option<Side>) -> Self {
+        Self { side, ..self }
     }
 
     /// The event, depending on a reading.

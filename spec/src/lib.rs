@@ -10,7 +10,8 @@
 //!
 //! One way through it, a stage a room: `syntax` (text to blocks), `run` (which block comes next), `schedule` (which
 //! main program), `task` (expressions, variables, data communication, and the programs that run within each other),
-//! `modal` (codes and modes), `path` (motion), `thread` (thread cutting), `barrier` (areas to keep out of), `compensation` (nose radius), `frame`
+//! `modal` (codes and modes), `turret` (two turrets on one saddle), `saddle` (two saddles), `path` (motion), `thread` (thread
+//! cutting), `barrier` (areas to keep out of), `compensation` (nose radius), `frame`
 //! (machine coordinates and limits); `controls` holds the tables, `integer`, `quantity` and `real` the numbers.
 
 mod barrier;
@@ -27,11 +28,13 @@ mod path;
 mod quantity;
 mod real;
 mod run;
+mod saddle;
 mod schedule;
 mod state;
 pub mod syntax;
 mod task;
 mod thread;
+mod turret;
 pub mod vocabulary;
 
 pub use check::{Diagnostic, check};

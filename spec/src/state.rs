@@ -4,11 +4,13 @@ use crate::barrier::Watch;
 use crate::controls::e100l::g_codes::GGroup;
 use crate::controls::e100l::m_codes::GROUPS;
 use crate::controls::e100l::system_variables::Axis;
-use crate::frame::{Frame, Limits, TravelLimit};
+use crate::frame::{self, Frame, Limits, TravelLimit};
 use crate::path::Point;
+use crate::saddle::Saddle;
 use crate::task::Memory;
 use crate::thread;
-use crate::vocabulary::{Setup, SpindleState};
+use crate::turret::OwnData;
+use crate::vocabulary::{Length, MachineType, Setup, Side, SpindleState};
 
 /// The state of a control.
 pub struct State<'a> {
@@ -42,6 +44,10 @@ pub struct State<'a> {
     pub cut_last: bool,
     /// Where the next block counts from, after a chamfer block.
     pub base: Option<Base>,
+    /// The data of the turret that is not selected, on a machine with two on one saddle.
+    pub other_turret: Option<OwnData>,
+    /// Which of two saddles it is the state of.
+    pub saddle: Option<Saddle>,
     /// The end point of this block, when the block before had an angle alone.
     pub angle_target: Option<Point>,
     /// The thread that goes on in the next block.
@@ -68,8 +74,10 @@ pub struct StoredFeed {
 /// What was commanded of the spindles.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct SpindleStore {
-    /// Main spindle.
+    /// Main spindle, as it turns.
     pub main: SpindleState,
+    /// The turret that was selected when its direction was commanded (E100L-MIRR-08).
+    pub started_with: Option<Side>,
     /// S of G97, in thousandths of a revolution per minute.
     pub speed: i64,
     /// S of G96, in micrometres per minute.
@@ -113,8 +121,58 @@ impl<'a> State<'a> {
             stops_used: 0,
             cut_last: false,
             base: None,
+            other_turret: (setup.machine.r#type == MachineType::TwoTurrets).then(|| OwnData::of_b(setup)),
+            saddle: None,
             angle_target: None,
             thread: thread::Kept::default(),
+        }
+    }
+
+    /// The state of a saddle at power-on, with its own data (E100L-AX4-11).
+    pub fn of_saddle(setup: &'a Setup, side: Side) -> Self {
+        let mut state = Self::new(setup);
+        state.saddle = Some(Saddle { side, alone: false, other_x: 0 });
+        if side == Side::B {
+            let data = &setup.turret_b;
+            OwnData::of_b(setup).exchange(&mut state);
+            (state.frame.machine.x, state.frame.machine.z) = (data.start.x.0, data.start.z.0);
+            (state.limits.x, state.limits.z) = (frame::limit(data.limits.x), frame::limit(data.limits.z));
+        }
+        state
+    }
+
+    /// Where the torque of each successive G22 block reaches its preset value.
+    pub fn torque_stops(&self) -> &'a [Length] {
+        match self.saddle {
+            Some(Saddle { side: Side::B, .. }) => &self.setup.turret_b.torque_stops,
+            _ => &self.setup.inputs.torque_stops,
+        }
+    }
+
+    /// E100L-MIRR-01: the turret that is selected.
+    pub fn turret(&self) -> Side {
+        if self.modes.get(GGroup::Turret) == 14 { Side::B } else { Side::A }
+    }
+
+    /// Selects a turret (E100L-MIRR-05, E100L-MIRR-18).
+    pub fn select_turret(&mut self, turret: Side) {
+        if turret == self.turret() {
+            return;
+        }
+        self.modes.set(GGroup::Turret, if turret == Side::B { 14 } else { 13 });
+        if let Some(mut other) = self.other_turret.take() {
+            other.exchange(self);
+            self.other_turret = Some(other);
+        }
+        self.frame.mirrored = turret == Side::B;
+    }
+
+    /// The side that an event tells, on machines with two.
+    pub fn side(&self) -> Option<Side> {
+        match self.setup.machine.r#type {
+            MachineType::TwoTurrets => Some(self.turret()),
+            MachineType::TwoSaddles => self.saddle.map(|saddle| saddle.side),
+            MachineType::OneTurret => None,
         }
     }
 

@@ -70,7 +70,7 @@ mod tests {
             for _ in 0..self.0.remove(0) {
                 self.1 += 1;
                 let (block, rules, readings) = (Place::default(), RuleSet::EMPTY, ReadingSet::default());
-                sink(&Event { n: self.1, block, rules, readings, action: Action::Stop });
+                sink(&Event::new(self.1, block, rules, readings, Action::Stop));
             }
             None
         }

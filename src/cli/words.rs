@@ -4,8 +4,8 @@ use std::fmt::Write;
 
 use turnspec_oracle::vocabulary::notation::{feed_unit_text, value_text};
 use turnspec_oracle::vocabulary::{
-    Action, Alarm, Angle, CallCause, Event, Feed, FrameCause, LeadAxis, Length, Motion, Sense, SpeedLimit,
-    Spindle, SpindleName, SpindleState, Value,
+    Action, Alarm, Angle, CallCause, Event, Feed, FrameCause, Label, LeadAxis, Length, Motion, ReleaseCause, Sense,
+    SpeedLimit, Spindle, SpindleName, SpindleState, Value,
 };
 
 /// What happens, in program coordinates; of a motion in radius compensation also where the tip is.
@@ -55,6 +55,12 @@ pub fn describe(event: &Event) -> String {
             format!("alarm {number} C, user reserve code {code} {text}")
         }
         Action::Select { file, name, repetition } => format!("select {file} {name}, repetition {repetition}"),
+        Action::Wait { p, code } => format!("wait at {}", stop_point(*p, code)),
+        Action::Release { p, code, cause } => {
+            format!("go on from {}: {}", stop_point(*p, code), release_words(*cause))
+        }
+        Action::SideEnd { code } if code.is_empty() => "end of the side program".to_owned(),
+        Action::SideEnd { code } => format!("end of the side program ({code})"),
         Action::Stop => "program stop".to_owned(),
         Action::OptionalStop => "optional stop".to_owned(),
         Action::End { code } => format!("end of the program ({code})"),
@@ -67,6 +73,21 @@ pub fn alarm_words(alarm: &Alarm) -> String {
     let number = alarm.number.map_or(String::new(), |number| format!("{number} "));
     let detail = if alarm.detail.is_empty() { String::new() } else { format!(" ({})", alarm.detail) };
     format!("{number}{}: {}{detail}", alarm.name, alarm.name.text())
+}
+
+/// Where a saddle waits: P with its value, or the code.
+fn stop_point(p: Option<u16>, code: &Label) -> String {
+    p.map_or_else(|| code.to_string(), |p| format!("P{p}"))
+}
+
+fn release_words(cause: ReleaseCause) -> &'static str {
+    match cause {
+        ReleaseCause::Smaller => "the other saddle waits at a greater P",
+        ReleaseCause::Equal => "the other saddle waits at the same P",
+        ReleaseCause::PCode => "the other saddle waits at a P",
+        ReleaseCause::Counterpart => "the other saddle waits at M100, too",
+        ReleaseCause::OtherEnded => "the program of the other saddle is at its end",
+    }
 }
 
 fn end_point(motion: &Motion) -> String {

@@ -243,7 +243,7 @@ impl<'a> Interpreter<'a> {
 
     #[inline(always)]
     fn emit_with(&mut self, sink: &mut impl Sink, rules: RuleSet, readings: ReadingSet, action: Action) {
-        self.hand_over(sink, Event { n: self.ordinal + 1, block: self.place, rules, readings, action });
+        self.hand_over(sink, Event::new(self.ordinal + 1, self.place, rules, readings, action));
     }
 
     /// Hands an event to the sink, or holds it.

@@ -359,6 +359,7 @@ fn foreign_event(event: &Event, features: &[Feature]) -> String {
         Action::Output { .. } => has(Feature::Communication),
         Action::Message { .. } => has(Feature::UserAlarm),
         Action::Select { .. } => has(Feature::Schedule),
+        Action::Wait { .. } | Action::Release { .. } | Action::SideEnd { .. } => has(Feature::TwoSaddles),
         Action::Stop | Action::OptionalStop => has(Feature::OptionalStop),
         Action::Mode { .. } | Action::End { .. } | Action::Alarm(_) => true,
     };

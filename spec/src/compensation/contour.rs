@@ -5,7 +5,7 @@ use super::leg::legs;
 use super::nose::Nose;
 use super::on::{On, Waiting};
 use super::stream::Stream;
-use crate::emission::Emission;
+use crate::emission::{AtRest, Emission};
 use crate::fault::{Outcome, fail};
 use crate::modal::Plan;
 use crate::path::{Element, Shape, Tested, Way, carry_out};
@@ -27,12 +27,13 @@ pub fn motion(
     let event = carry_out(element, way, plan, state)?;
     let event = event.rules(RuleSet::of(&[NRC_07])).rule_if(element.shape == Shape::Line, NRC_42);
     if !element.in_plane() {
-        stream.emissions.push(Emission { at_rest: Some(nose.to_centre), ..event });
+        let at_rest = AtRest { to_centre: nose.to_centre, mirrored: state.frame.mirrored };
+        stream.emissions.push(Emission { at_rest: Some(at_rest), ..event });
         return Ok(on);
     }
-    let (to, program, setup) = (state.frame.machine, state.frame.program(), state.setup);
+    let (to, setup) = (state.frame.machine, state.setup);
     let pending = |event| Pending::new(event, to.w - from.w, stream.place, state);
-    let Some((start, end)) = legs(element, from, to, (program.x, program.z), nose) else {
+    let Some((start, end)) = legs(element, state.frame.to_program(from), state.frame.program(), nose) else {
         let repetition = pending(event.rules(RuleSet::of(&[NRC_46])));
         return on.repeat(repetition, stream, setup);
     };

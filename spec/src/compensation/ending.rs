@@ -2,10 +2,10 @@
 
 use super::reach::Reach;
 use crate::controls::e100l::units;
-use crate::emission::Emission;
+use crate::emission::{AtRest, Emission};
 use crate::fault::{Outcome, fail};
 use crate::frame::{Amounts, TravelLimit};
-use crate::integer::{Limited, nose};
+use crate::integer::{Limited, mirror, nose};
 use crate::path::{Point, feed_path};
 use crate::state::State;
 use crate::vocabulary::rule_ids::*;
@@ -20,6 +20,8 @@ pub struct Spot {
     program: Point,
     /// The same in machine coordinates.
     machine: Point,
+    /// Whether X of the machine runs against X of the program.
+    mirrored: bool,
     limits: (TravelLimit, TravelLimit),
 }
 
@@ -31,6 +33,7 @@ impl Spot {
             place,
             program: (program.x, program.z),
             machine: (machine.x, machine.z),
+            mirrored: state.frame.mirrored,
             limits: (state.limits.x, state.limits.z),
         }
     }
@@ -43,15 +46,15 @@ impl Spot {
 
     /// The end without a motion: the tip stays where the axes are.
     pub fn kept(&self, axes: Point, to_centre: Point) -> Ending {
-        self.ending(tip_at(axes, self.program, self.machine), to_centre)
+        self.ending(tip_at(axes, self.program, self.machine, self.mirrored), to_centre)
     }
 
     fn ending(&self, tip: Point, to_centre: Point) -> Ending {
-        let machine = (
-            nose::machine(tip.0, self.program.0, self.machine.0),
-            nose::machine(tip.1, self.program.1, self.machine.1),
-        );
-        Ending { tip, to_centre, machine }
+        // E100L-MIRR-05: in X against the sense of turret B.
+        let in_sense_of_turret = mirror::x(self.machine.0, self.mirrored);
+        let x = nose::machine(tip.0, self.program.0, in_sense_of_turret);
+        let z = nose::machine(tip.1, self.program.1, self.machine.1);
+        Ending { tip, to_centre, machine: (mirror::x(x, self.mirrored), z) }
     }
 
     /// E100L-NRC-29, then E100L-NRC-80: the range of the address and the travel limits, for the tip.
@@ -141,17 +144,22 @@ fn motion_of(action: &mut Action) -> Option<&mut Motion> {
 }
 
 /// The tip where the axes are, from the programmed point in both coordinates.
-fn tip_at(axes: Point, program: Point, machine: Point) -> Point {
-    (nose::tip_at(axes.0, program.0, machine.0), nose::tip_at(axes.1, program.1, machine.1))
+fn tip_at(axes: Point, program: Point, machine: Point, mirrored: bool) -> Point {
+    let in_sense_of_turret = |x| mirror::x(x, mirrored);
+    let x = nose::tip_at(in_sense_of_turret(axes.0), program.0, in_sense_of_turret(machine.0));
+    (x, nose::tip_at(axes.1, program.1, machine.1))
 }
 
 /// A motion of C or W alone in compensation: tip and nose as they are when its turn comes.
 pub fn at_rest(mut event: Emission, axes: Point) -> Emission {
-    if let (Some(to_centre), Some(motion)) = (event.at_rest, motion_of(&mut event.action)) {
+    if let (Some(AtRest { to_centre, mirrored }), Some(motion)) =
+        (event.at_rest, motion_of(&mut event.action))
+    {
         let of = |x: Length, z: Length| (x.0, z.0);
         let program = of(motion.program.x, motion.program.z);
         let machine = of(motion.machine.x, motion.machine.z);
-        Ending { tip: tip_at(axes, program, machine), to_centre, machine: axes }.show(motion);
+        let tip = tip_at(axes, program, machine, mirrored);
+        Ending { tip, to_centre, machine: axes }.show(motion);
     }
     event
 }

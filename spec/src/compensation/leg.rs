@@ -3,7 +3,7 @@
 use super::circle::Circle;
 use super::nose::Nose;
 use crate::frame::Amounts;
-use crate::path::{Element, Point, Shape, Vector};
+use crate::path::{Element, Shape, Vector};
 use crate::vocabulary::Sense;
 
 /// An element at P.
@@ -54,8 +54,8 @@ impl Leg {
 }
 
 /// An element at its start and at its end; none of a motion that has no travel in X or Z. `from` and `to` are its
-/// ends in machine coordinates, `end` is its end in program coordinates.
-pub fn legs(element: &Element, from: Amounts, to: Amounts, end: Point, nose: Nose) -> Option<(Leg, Leg)> {
+/// ends in the program coordinates of its block.
+pub fn legs(element: &Element, from: Amounts, to: Amounts, nose: Nose) -> Option<(Leg, Leg)> {
     let travel = Vector::at((to.x, to.z)).minus(&Vector::at((from.x, from.z)));
     if travel.is_zero() {
         return None;
@@ -63,7 +63,7 @@ pub fn legs(element: &Element, from: Amounts, to: Amounts, end: Point, nose: Nos
     Some(match element.shape {
         Shape::Rapid | Shape::Line => (Leg::line(travel.clone(), nose), Leg::line(travel, nose)),
         Shape::Arc { centre, sense } => {
-            let at_end = Vector::at(end).minus(&Vector::at(centre));
+            let at_end = Vector::at((to.x, to.z)).minus(&Vector::at(centre));
             let at_start = at_end.minus(&travel);
             let leg = |from_centre| Leg { course: Course::Arc(from_centre, sense), nose };
             (leg(at_start), leg(at_end))

@@ -32,7 +32,7 @@ use crate::modal::{Change, Plan};
 use crate::path::{Element, Point};
 use crate::state::State;
 use crate::vocabulary::rule_ids::*;
-use crate::vocabulary::{Place, RuleSet};
+use crate::vocabulary::{Place, RuleSet, Side};
 use nose::Nose;
 use on::On;
 
@@ -59,8 +59,13 @@ impl Compensation {
     }
 
     /// The stream of a block that begins.
-    pub fn stream<'a>(&self, place: Place, decided: &'a mut Vec<(Place, Emission)>) -> Stream<'a> {
-        Stream::new(place, matches!(self, Self::On(_)), decided)
+    pub fn stream<'a>(
+        &self,
+        place: Place,
+        side: Option<Side>,
+        decided: &'a mut Vec<(Place, Emission)>,
+    ) -> Stream<'a> {
+        Stream::new(place, side, matches!(self, Self::On(_)), decided)
     }
 
     /// The motions of a block, or its dwell; whether it counts as a block with X/Z motion.

@@ -19,11 +19,16 @@ pub struct Limits {
 impl Limits {
     /// The limits of a set-up.
     pub fn new(setup: &Setup) -> Self {
-        let of = |limit: Limit| TravelLimit {
-            positive: limit.positive.map(|value| value.0),
-            negative: limit.negative.map(|value| value.0),
-        };
-        Self { x: of(setup.limits.x), z: of(setup.limits.z), w: of(setup.limits.w) }
+        let limits = &setup.limits;
+        Self { x: limit(limits.x), z: limit(limits.z), w: limit(limits.w) }
+    }
+}
+
+/// A limit of a set-up.
+pub fn limit(limit: Limit) -> TravelLimit {
+    TravelLimit {
+        positive: limit.positive.map(|value| value.0),
+        negative: limit.negative.map(|value| value.0),
     }
 }
 

@@ -1,15 +1,17 @@
 //! Program and machine coordinates, and the travel limits.
 //!
 //! E100L-COORD-01, E100L-COORD-02: of the three coordinate systems the encoder's is not modelled, since its
-//! constant offset shows nowhere. E100L-COORD-03: machine = program + zero offset + zero shift + tool offset.
+//! constant offset shows nowhere. E100L-COORD-03: machine = program + zero offset + zero shift + tool offset,
+//! with turret B of two on one saddle its mirror image in X (E100L-MIRR-05).
 
 mod limits;
 
 pub use crate::integer::{Amounts, TravelLimit};
-pub use limits::Limits;
+pub use limits::{Limits, limit};
 
+use crate::integer::mirror;
 use crate::vocabulary::{Action, Position};
-use crate::vocabulary::{Angle, FrameCause, Length, Setup, ToolOffsetSign};
+use crate::vocabulary::{Angle, FrameCause, Length, Setup, ToolOffset, ToolOffsetSign};
 
 /// The relation between program and machine coordinates, and where the machine is.
 #[derive(Clone, Debug)]
@@ -24,24 +26,21 @@ pub struct Frame {
     pub offset_number: u8,
     /// Tool offsets by number; number 0 holds zero.
     pub tool_offsets: Vec<Amounts>,
+    /// Whether X of the machine runs against X of the program (E100L-MIRR-05).
+    pub mirrored: bool,
     sign: ToolOffsetSign,
 }
 
 impl Frame {
     /// The frame at power-on.
     pub fn new(setup: &Setup) -> Self {
-        let mut tool_offsets = vec![Amounts::default(); usize::from(setup.options.offset_sets) + 1];
-        for offset in &setup.tool_offset {
-            if let Some(entry) = tool_offsets.get_mut(usize::from(offset.number)) {
-                *entry = Amounts { x: offset.x.0, z: offset.z.0, ..Amounts::default() };
-            }
-        }
         Self {
             machine: Amounts::of(&setup.start).turned(),
             zero_offset: Amounts::of(&setup.zero_offset),
             zero_shift: Amounts::default(),
             offset_number: 0,
-            tool_offsets,
+            tool_offsets: offsets_by_number(&setup.tool_offset, setup.options.offset_sets),
+            mirrored: false,
             sign: setup.readings.tool_offset,
         }
     }
@@ -67,21 +66,31 @@ impl Frame {
 
     /// Program coordinates of a machine position.
     pub fn to_program(&self, machine: Amounts) -> Amounts {
-        machine.plus(self.total(), -1).turned()
+        self.mirror(machine).plus(self.total(), -1).turned()
     }
 
     /// Machine coordinates of a program position.
     pub fn to_machine(&self, program: Amounts) -> Amounts {
-        program.plus(self.total(), 1).turned()
+        self.mirror(program.plus(self.total(), 1)).turned()
+    }
+
+    /// E100L-MIRR-05: from the sense of the turret to that of the machine, and back; Z, C and W are not mirrored.
+    fn mirror(&self, amounts: Amounts) -> Amounts {
+        Amounts { x: mirror::x(amounts.x, self.mirrored), ..amounts }
+    }
+
+    /// The amounts between program and machine coordinates.
+    pub fn amounts(&self, cause: FrameCause) -> Amounts {
+        match cause {
+            FrameCause::ZeroOffset => self.zero_offset,
+            FrameCause::ZeroShift => self.zero_shift,
+            FrameCause::ToolOffset => self.active_offset(),
+        }
     }
 
     /// The event of a changed amount.
     pub fn event(&self, cause: FrameCause) -> Action {
-        let amounts = match cause {
-            FrameCause::ZeroOffset => self.zero_offset,
-            FrameCause::ZeroShift => self.zero_shift,
-            FrameCause::ToolOffset => self.active_offset(),
-        };
+        let amounts = self.amounts(cause);
         Action::Frame {
             cause,
             x: Length(amounts.x),
@@ -90,6 +99,17 @@ impl Frame {
             w: Length(amounts.w),
         }
     }
+}
+
+/// Tool offsets by number; number 0, and those without an entry, hold zero.
+pub fn offsets_by_number(entries: &[ToolOffset], sets: u8) -> Vec<Amounts> {
+    let mut offsets = vec![Amounts::default(); usize::from(sets) + 1];
+    for offset in entries {
+        if let Some(entry) = offsets.get_mut(usize::from(offset.number)) {
+            *entry = Amounts { x: offset.x.0, z: offset.z.0, ..Amounts::default() };
+        }
+    }
+    offsets
 }
 
 /// A position as it stands in the trace.

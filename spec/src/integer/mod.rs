@@ -9,6 +9,7 @@ pub mod between;
 pub mod decimal_code;
 mod digits;
 mod limit;
+pub mod mirror;
 pub mod modes;
 pub mod nose;
 pub mod steps;

@@ -3,13 +3,14 @@
 
 use super::check::Plan;
 use super::miscellaneous::{self, Timed, check_time};
-use super::reset::{mode, reset};
+use super::reset::mode;
 use super::{feed, spindle, tool};
 use crate::barrier::Watch;
 use crate::controls::e100l::g_codes::{GCode, GGroup, g_code};
 use crate::emission::Emission;
 use crate::fault::Outcome;
 use crate::integer::turn;
+use crate::saddle::{Commands, is_common_g, is_common_m};
 use crate::state::State;
 use crate::thread;
 use crate::vocabulary::rule_ids::*;
@@ -18,8 +19,10 @@ use crate::vocabulary::{Action, FrameCause, InchConversion, Label, RuleId, RuleS
 /// Carries out what comes before the motion.
 pub fn before_motion(plan: &Plan, state: &mut State, emissions: &mut Vec<Emission>) -> Outcome<()> {
     let words = &plan.words;
-    for code in &words.g {
-        emissions.extend(select(*code, state));
+    let (by_other, for_both) = common_commands(plan);
+    for code in words.g.iter().filter(|code| !(by_other && is_common_g(**code))) {
+        let event = select(*code, state);
+        emissions.extend(event.map(|event| event.rule_if(for_both && is_common_g(*code), AX4_06)));
     }
     state.thread.select(words, state.modes.get(GGroup::Motion));
     if let Some(number) = words.feed.as_ref().filter(|_| plan.one_shot != Some(4)) {
@@ -46,10 +49,12 @@ pub fn before_motion(plan: &Plan, state: &mut State, emissions: &mut Vec<Emissio
         emissions.extend(frame.map(|frame| of_inch_block(frame, plan, state)));
     }
     let watch = Watch::in_force(state);
-    for code in words.m.iter().filter(|code| !is_program_code(**code)) {
+    let waits = state.waits();
+    for code in words.m.iter().filter(|code| acts_before_motion(**code, plan, waits)) {
         // M124 itself is not checked, M125 still is.
         let in_force = state.is_active(124) && *code != 124;
-        emissions.push(miscellaneous::command(*code, plan, state)?);
+        let event = miscellaneous::command(*code, plan, state)?;
+        emissions.push(event.rule_if(for_both && is_common_m(*code), AX4_06));
         check_time(&Timed::M, in_force, state)?;
         if *code == 109 {
             emissions.extend(turning_plane(state));
@@ -59,9 +64,25 @@ pub fn before_motion(plan: &Plan, state: &mut State, emissions: &mut Vec<Emissio
     Ok(())
 }
 
-/// Whether the program ends with the block.
-pub fn ends_program(plan: &Plan) -> bool {
-    plan.words.m.contains(&2) || plan.words.m.contains(&30)
+/// E100L-AX4-06: whether the block of the other saddle carries the common words out, and whether this one does it for
+/// both.
+fn common_commands(plan: &Plan) -> (bool, bool) {
+    let commands = plan.words.commands;
+    (commands == Commands::ByOther, commands == Commands::ForBoth)
+}
+
+/// The code with which the program ends: M02 or M30.
+pub fn end_code(plan: &Plan) -> Option<u16> {
+    plan.words.m.iter().copied().find(|code| matches!(code, 2 | 30))
+}
+
+/// Whether an M code is carried out before the motion, by this block. E100L-M100-01: M100 that `waits` for the other side
+/// does so behind the motion.
+fn acts_before_motion(code: u16, plan: &Plan, waits: bool) -> bool {
+    let (by_other, _) = common_commands(plan);
+    let later = is_program_code(code) || waits && code == 100;
+    let elsewhere = by_other && is_common_m(code);
+    !later && !elsewhere
 }
 
 /// M00, M01, M02 and M30 act after the motion.
@@ -95,6 +116,8 @@ fn select(code: u16, state: &mut State) -> Option<Emission> {
         95 => FEED_01,
         96 => CSS_01,
         97 => CSS_02,
+        110 | 111 if state.saddle.is_some() => AX4_08,
+        110 | 111 => MIRR_19,
         _ => GCODE_02,
     };
     // E100L-NRC-61: from one side to the other without G40 between.
@@ -135,9 +158,11 @@ fn zero_shift(plan: &Plan, state: &mut State, emissions: &mut Vec<Emission>) {
         let event = Emission::new(state.frame.event(FrameCause::ZeroShift), rules);
         emissions.push(of_inch_block(event, plan, state));
     }
-    if let Some(speed) = words.get('S') {
+    let (by_other, for_both) = common_commands(plan);
+    if let Some(speed) = words.get('S').filter(|_| !by_other) {
         state.spindle.clamp = Some(speed * 1_000);
-        emissions.push(spindle::clamp_event(RuleSet::of(&[SMAX_02]), state));
+        let event = spindle::clamp_event(RuleSet::of(&[SMAX_02]), state);
+        emissions.push(event.rule_if(for_both, AX4_06));
     }
 }
 
@@ -148,12 +173,13 @@ fn torque_limits(z: Option<u8>, w: Option<u8>, rules: &[RuleId], state: &mut Sta
 
 fn spindle_words(plan: &Plan, state: &mut State, emissions: &mut Vec<Emission>) -> Outcome<()> {
     let words = &plan.words;
-    if let Some(value) = words.get('S').filter(|_| plan.one_shot != Some(50)) {
+    let (by_other, for_both) = common_commands(plan);
+    if let Some(value) = words.get('S').filter(|_| plan.one_shot != Some(50) && !by_other) {
         spindle::store_s(value, state);
         let (with_motion, order) = miscellaneous::timing(plan);
         let event = spindle::main_event(RuleSet::of(&[SPD_01]).union(order), with_motion, state);
         let event = event.rule_if(plan.moves, SPD_02).rule_if(!state.modes.cutting_speed(), CSS_02);
-        emissions.push(event);
+        emissions.push(event.rule_if(for_both, AX4_06));
         check_time(&Timed::S, state.is_active(124), state)?;
     }
     if let Some(speed) = words.extended("SA") {
@@ -166,23 +192,19 @@ fn spindle_words(plan: &Plan, state: &mut State, emissions: &mut Vec<Emission>) 
     Ok(())
 }
 
-/// Carries out what comes after the motion; `true` when the program has ended. `selected`: a schedule program runs it.
-pub fn after_motion(plan: &Plan, selected: bool, state: &mut State, emissions: &mut Vec<Emission>) -> bool {
-    let code = plan.words.m.iter().copied().find(|code| is_program_code(*code));
-    match code {
-        Some(0) => emissions.push(Emission::new(Action::Stop, RuleSet::of(&[MCODE_02]))),
-        Some(1) if state.setup.switches.optional_stop => {
-            emissions.push(Emission::new(Action::OptionalStop, RuleSet::of(&[MCODE_03])));
-        }
-        Some(code @ (2 | 30)) => {
-            if !selected {
-                emissions.append(&mut reset(state));
-            }
-            let end = Action::End { code: Label::of_code(b'M', code) };
-            emissions.push(Emission::new(end, RuleSet::of(&[MCODE_04])).rule_if(selected, SDF_14));
-            return true;
-        }
-        _ => {}
+/// M00 and M01, after the motion.
+pub fn stop(plan: &Plan, state: &State) -> Option<Emission> {
+    let has = |code| plan.words.m.contains(&code);
+    if has(0) {
+        return Some(Emission::new(Action::Stop, RuleSet::of(&[MCODE_02])));
     }
-    false
+    let stops = has(1) && state.setup.switches.optional_stop;
+    stops.then(|| Emission::new(Action::OptionalStop, RuleSet::of(&[MCODE_03])))
+}
+
+/// The event of M02 and M30, behind the reset if there is one.
+pub fn end(code: u16, state: &State) -> Emission {
+    let end = Action::End { code: Label::of_code(b'M', code) };
+    // The reset has changed the turret.
+    Emission::new(end, RuleSet::of(&[MCODE_04])).of(state.side())
 }

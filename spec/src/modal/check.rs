@@ -1,6 +1,7 @@
 //! What a block as a whole must satisfy before anything of it is carried out.
 
 use super::compensation;
+use super::machine::check_reference;
 use super::words::Words;
 use crate::controls::e100l::g_codes::{GCode, GGroup, g_code};
 use crate::fault::{Fault, Outcome, fail};
@@ -96,6 +97,7 @@ pub fn check(words: Words, before: Before, state: &State) -> Outcome<Plan> {
     }
     let is_thread = one_shot.is_none() && thread::is_mode(motion) && is_motion(&words, motion);
     thread::not_in_constant_speed(&words, modes, is_thread.then_some(motion))?;
+    check_reference(&words, modes, setup)?;
     let mut moves = false;
     match one_shot {
         Some(4) => dwell(&words)?,
@@ -331,7 +333,7 @@ fn every_word_has_a_function(
     for other in &words.others {
         let taken = match other.address {
             None => calrg,
-            Some(Address::Letter(letter)) => b"ST".contains(&letter) || letters.contains(&letter),
+            Some(Address::Letter(letter)) => b"PST".contains(&letter) || letters.contains(&letter),
             Some(Address::Extended(name)) => ["SA", "SB"].contains(&name) || extended.contains(&name),
         };
         if !taken {

@@ -10,7 +10,8 @@ use crate::vocabulary::{AlarmName, RuleId};
 pub fn check(plan: &Plan, before: Before, c_joined: bool) -> Outcome<()> {
     plane(plan, before, c_joined)?;
     change(plan)?;
-    one_shot(plan, before)
+    one_shot(plan, before)?;
+    meeting(plan)
 }
 
 /// E100L-CRC-02, E100L-CRC-13, E100L-CRC-14.
@@ -62,4 +63,10 @@ fn one_shot(plan: &Plan, before: Before) -> Outcome<()> {
         }
         _ => Ok(()),
     }
+}
+
+/// E100L-M100-04: the control does not read ahead while it stands at M100.
+fn meeting(plan: &Plan) -> Outcome<()> {
+    let refused = plan.words.m.contains(&100) && plan.modes.compensating();
+    if refused { fail(AlarmName::CompensationNotAllowed, M100_04) } else { Ok(()) }
 }

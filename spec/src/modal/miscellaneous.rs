@@ -7,7 +7,7 @@ use crate::emission::Emission;
 use crate::fault::{Outcome, fail};
 use crate::state::State;
 use crate::vocabulary::rule_ids::*;
-use crate::vocabulary::{Action, AlarmName, Duration, Label, RuleSet, SpindleState};
+use crate::vocabulary::{Action, AlarmName, Duration, Label, RuleSet, Side, SpindleState};
 
 /// Carries an M code out that acts before the motion; its event.
 pub fn command(code: u16, plan: &Plan, state: &mut State) -> Outcome<Emission> {
@@ -18,10 +18,12 @@ pub fn command(code: u16, plan: &Plan, state: &mut State) -> Outcome<Emission> {
     if code == 203 && plan.words.has_g(0) {
         return turret_unclamp(state);
     }
+    if matches!(code, 3 | 4) {
+        may_start(code, state)?;
+    }
     state.activate(code);
     Ok(match code {
-        3 => main_spindle(Some(SpindleState::Clockwise), &[MCODE_05, SPD_04], plan, state),
-        4 => main_spindle(Some(SpindleState::CounterClockwise), &[MCODE_05, SPD_04], plan, state),
+        3 | 4 => start_main_spindle(code, plan, state),
         5 => main_spindle(Some(SpindleState::Stop), &[MCODE_05], plan, state),
         19 => main_spindle(Some(SpindleState::Orient), &[MCODE_08], plan, state),
         40..=44 => main_spindle(None, &[MCODE_14, SPD_05], plan, state),
@@ -60,6 +62,35 @@ pub fn timing(plan: &Plan) -> (bool, RuleSet) {
         (with_motion, true) => (with_motion, RuleSet::of(&[M63_02])),
         (false, false) => (false, RuleSet::EMPTY),
     }
+}
+
+/// E100L-MIRR-06: the direction in which the main spindle turns by M03 and M04.
+fn direction(code: u16, state: &State) -> SpindleState {
+    match (code, state.turret()) {
+        (3, Side::A) | (4, Side::B) => SpindleState::Clockwise,
+        _ => SpindleState::CounterClockwise,
+    }
+}
+
+/// E100L-MIRR-08: what one turret has started the other one does not reverse; without a stop between.
+fn may_start(code: u16, state: &State) -> Outcome<()> {
+    let reverses = match state.spindle.main {
+        SpindleState::Clockwise | SpindleState::CounterClockwise => {
+            direction(code, state) != state.spindle.main
+        }
+        _ => false,
+    };
+    if reverses && state.spindle.started_with != Some(state.turret()) {
+        return fail(AlarmName::TurretChange, MIRR_08);
+    }
+    Ok(())
+}
+
+fn start_main_spindle(code: u16, plan: &Plan, state: &mut State) -> Emission {
+    let turret = state.turret();
+    state.spindle.started_with = Some(turret);
+    let event = main_spindle(Some(direction(code, state)), &[MCODE_05, SPD_04], plan, state);
+    event.rule_if(turret == Side::B, MIRR_06)
 }
 
 fn tool_spindle(command: SpindleState, rules: &[crate::vocabulary::RuleId], state: &mut State) -> Emission {

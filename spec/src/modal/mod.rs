@@ -7,15 +7,17 @@ mod carry_out;
 mod check;
 mod compensation;
 mod feed;
+mod machine;
 mod miscellaneous;
 mod reset;
 mod spindle;
 mod tool;
 mod words;
 
-pub use carry_out::{after_motion, before_motion, ends_program};
+pub use carry_out::{before_motion, end, end_code, stop};
 pub use check::{Before, Change, Plan, check};
 pub use feed::active_feed;
 pub use feed::dwell;
+pub use reset::{mode, reset};
 pub use spindle::{motion_speed, turning_speed};
 pub use words::{Other, Words, evaluate};

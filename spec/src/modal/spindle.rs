@@ -48,7 +48,7 @@ pub fn motion_speed(diameter: i64, state: &State) -> Option<MotionSpeed> {
 /// The commanded speed of the main spindle while it turns.
 pub fn turning_speed(state: &State) -> Option<MotionSpeed> {
     let turns = matches!(state.spindle.main, SpindleState::Clockwise | SpindleState::CounterClockwise);
-    turns.then(|| speed(state.frame.program().x, state))
+    turns.then(|| speed(state.reference_x(), state))
 }
 
 /// The speed of the turning main spindle.

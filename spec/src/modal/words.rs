@@ -2,12 +2,14 @@
 
 use std::ops::Range;
 
+use super::machine;
 use crate::controls::e100l::g_codes::{GCode, GGroup, g_code};
 use crate::controls::e100l::m_codes::{MCode, group_of, m_code};
 use crate::controls::e100l::units;
 use crate::emission::Emission;
 use crate::fault::{Fault, Outcome, fail};
 use crate::quantity::{self, Exact, ratio, whole};
+use crate::saddle::Commands;
 use crate::state::State;
 use crate::syntax::{Address, Item, ItemKind, Value};
 use crate::task;
@@ -34,6 +36,8 @@ pub struct Words {
     pub inch: bool,
     /// Whether the block has an assignment.
     pub assigns: bool,
+    /// Who carries its common words out, on a machine with two saddles.
+    pub commands: Commands,
 }
 
 /// A word other than G, M and F; `address` is none for CALRG.
@@ -139,8 +143,8 @@ fn add(
         return fail(AlarmName::DuplicateAddress, FMT_06);
     }
     let value = match address {
-        Address::Letter(b'G') => return add_g(&given, words),
-        Address::Letter(b'M') => return add_m(&given, words),
+        Address::Letter(b'G') => return add_g(&given, state.setup, words),
+        Address::Letter(b'M') => return add_m(&given, state, words),
         Address::Letter(b'F') => {
             words.feed = Some(given.value);
             return Ok(());
@@ -176,6 +180,7 @@ fn amount(address: Address, given: &Given, setup: &Setup) -> Outcome<i64> {
         }
         Address::Letter(b'J') => whole_number(given, 1, 9_999, ADDR_01),
         Address::Letter(b'Q') => whole_number(given, 0, 9_999, ADDR_01),
+        Address::Letter(b'P') => whole_number(given, 0, 9_999, PSYNC_01),
         Address::Letter(b'S') => whole_number(given, 0, 65_535, SPD_01),
         Address::Extended("SB") => whole_number(given, 0, 65_535, SB_01),
         Address::Extended("QA") => whole_number(given, 1, 1_999, CAX_06),
@@ -244,7 +249,7 @@ fn code(given: &Given, highest: i64, rule: RuleId) -> Outcome<u16> {
 }
 
 /// E100L-GTAB-01, E100L-ABS-04, E100L-GCODE-04.
-fn add_g(given: &Given, words: &mut Words) -> Outcome<()> {
+fn add_g(given: &Given, setup: &Setup, words: &mut Words) -> Outcome<()> {
     let code = code(given, 999, ADDR_01)?;
     let detail = Label::of_code(b'G', code);
     let group = match g_code(code) {
@@ -256,6 +261,7 @@ fn add_g(given: &Given, words: &mut Words) -> Outcome<()> {
         GCode::Unspecified => return Err(Fault::about(AlarmName::Unspecified, GTAB_01, detail.as_str())),
         GCode::Unassigned => return fail(AlarmName::GCodeUnassigned, GTAB_01),
     };
+    machine::has_g(code, setup)?;
     if code == 90 && words.has_g(91) || code == 91 && words.has_g(90) {
         return fail(AlarmName::AbsoluteAndIncremental, ABS_04);
     }
@@ -267,7 +273,7 @@ fn add_g(given: &Given, words: &mut Words) -> Outcome<()> {
 }
 
 /// E100L-MCODE-01, E100L-MTAB-01.
-fn add_m(given: &Given, words: &mut Words) -> Outcome<()> {
+fn add_m(given: &Given, state: &State, words: &mut Words) -> Outcome<()> {
     if words.m.len() == MOST_M_WORDS {
         return fail(AlarmName::TooManyM, FMT_06);
     }
@@ -278,11 +284,9 @@ fn add_m(given: &Given, words: &mut Words) -> Outcome<()> {
             let detail = Label::of_code(b'M', code);
             return Err(Fault::about(AlarmName::StatementMisplaced, MACRO_02, detail.as_str()));
         }
-        MCode::Later => {
-            return Err(Fault::about(AlarmName::NotModelled, MTAB_01, Label::of_code(b'M', code).as_str()));
-        }
         MCode::Unassigned => return fail(AlarmName::MCodeUnassigned, MTAB_01),
     }
+    machine::has_m(code, state)?;
     let same_group = |other: u16| group_of(code).is_some_and(|group| group.codes.contains(&other));
     if words.m.iter().any(|other| *other == code || same_group(*other)) {
         return fail(AlarmName::MCodesConflict, MCODE_01);

@@ -193,8 +193,12 @@ pub fn standing(c_travel: Option<i64>, state: &State) -> Motion {
     }
 }
 
-/// E100L-CSS-01, E100L-CSS-05: the motion event with the spindle speed at its end.
+/// E100L-CSS-01, E100L-CSS-05: the motion event with the spindle speed at its end. E100L-AX4-08: while the saddle moves
+/// that is not the reference, nobody knows where the other one is.
 pub fn with_speed(mut event: Emission, rapid: bool, state: &State) -> Emission {
+    if !state.is_reference() {
+        return event.rule_if(state.modes.cutting_speed(), AX4_08);
+    }
     match motion_speed(state.frame.program().x, state) {
         None => event,
         Some(speed) => {
@@ -271,6 +275,7 @@ pub fn event(
     rules: RuleSet,
     state: &State,
 ) -> Emission {
+    let rules = if state.frame.mirrored { rules.with(MIRR_05) } else { rules };
     let Some((feed, feed_rules)) = feed else { return Emission::new(Action::Rapid { motion }, rules) };
     let rules = rules.union(feed_rules);
     if let Shape::Arc { centre, sense } = shape {

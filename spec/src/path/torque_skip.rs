@@ -102,7 +102,7 @@ fn unwatched_distance(plan: &Plan, state: &State) -> Outcome<Exact> {
 /// Where the torque reaches its preset value: the next stop of the set-up, if it lies on the way and the torque
 /// is watched there.
 fn reached(way: &Way, unwatched: &Exact, state: &mut State) -> Option<i64> {
-    let stop = state.setup.inputs.torque_stops.get(state.stops_used)?.0;
+    let stop = state.torque_stops().get(state.stops_used)?.0;
     state.stops_used += 1;
     let distance = way.distance(stop);
     let on_the_way = distance > 0 && distance <= way.distance(way.end);

@@ -1,6 +1,6 @@
 //! What look-ahead sees: the blocks behind a corner (E100L-ANG-05, E100L-ANG-06).
 
-use super::Run;
+use super::channel::Channel;
 use super::reading::{Block, Content};
 use crate::fault::{Fault, Outcome};
 use crate::modal::{self, Before, Plan};
@@ -9,7 +9,7 @@ use crate::task::Registration;
 use crate::vocabulary::rule_ids::*;
 use crate::vocabulary::{AlarmName, Chamfering, Setup};
 
-impl Run<'_> {
+impl Channel<'_> {
     /// What a corner needs of the blocks behind it: evaluated once, and kept for their turn.
     pub(super) fn look_ahead(&mut self, plan: &Plan) -> Outcome<Vec<Ahead>> {
         let mut ahead = Vec::new();
@@ -60,7 +60,9 @@ impl Run<'_> {
                 words
             }
             Content::Words(words) => words.as_ref().clone(),
-            Content::Nothing | Content::Name | Content::Communication(_) => return Ok(None),
+            Content::Nothing | Content::Name | Content::Turret(_) | Content::Communication(_) => {
+                return Ok(None);
+            }
         };
         let plan = modal::check(words, before, &self.state);
         plan.map(|plan| Some(Ahead { plan, place })).map_err(|fault| fault.of_block(place))

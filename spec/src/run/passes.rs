@@ -1,35 +1,43 @@
 //! The passes of a compound thread cycle (E100L-G71-10, E100L-GOTO-03): each but the first is a step of its own.
 
+use super::channel::{Channel, Moved};
 use super::statement::Carried;
-use super::{Progress, Run};
 use crate::compensation::Stream;
 use crate::fault::Outcome;
 use crate::modal::Plan;
 use crate::thread::Compound;
+use crate::vocabulary::Place;
 
-/// A cycle that is carried out.
+/// A cycle of which passes are left.
 pub struct Cycle {
-    plan: Plan,
-    /// Its block.
+    /// The block up to its last pass.
+    pub moved: Moved,
+    /// Where it stands.
     pub block: Carried,
-    passes: Compound,
 }
 
-impl Run<'_> {
+impl Channel<'_> {
     /// A cycle begins, with its first pass.
-    pub(super) fn compound(&mut self, plan: Plan, block: Carried, stream: &mut Stream) -> Outcome<Progress> {
+    pub(super) fn compound(&mut self, plan: Plan, stream: &mut Stream) -> Outcome<Moved> {
         let passes = Compound::begin(&plan, &mut self.state)?;
-        self.pass(Box::new(Cycle { plan, block, passes }), stream)
+        let mut moved = Moved { plan, in_plane: true, passes: Some(passes) };
+        self.pass(&mut moved, stream)?;
+        Ok(moved)
     }
 
-    /// Cuts the next pass; behind the last one comes the rest of the block.
-    pub(super) fn pass(&mut self, mut cycle: Box<Cycle>, stream: &mut Stream) -> Outcome<Progress> {
-        if cycle.passes.cut(&cycle.plan, &mut self.state, &mut stream.emissions)? {
-            self.cycle = Some(cycle);
-            return Ok(Progress::Going);
+    /// One step more, at the block of the cycle.
+    pub(super) fn begin_pass(&mut self, block: Carried, place: &mut Place) -> Outcome<()> {
+        self.reader.step(block.place, place)
+    }
+
+    /// Cuts the next pass.
+    pub(super) fn pass(&mut self, moved: &mut Moved, stream: &mut Stream) -> Outcome<()> {
+        let Moved { plan, passes: Some(passes), .. } = moved else { return Ok(()) };
+        if !passes.cut(plan, &mut self.state, &mut stream.emissions)? {
+            moved.passes = None;
+            // E100L-G34-05, E100L-G71-08: the motion mode stays; a run of G34 and G35 is interrupted.
+            self.state.thread.chain = false;
         }
-        // E100L-G34-05, E100L-G71-08: the motion mode stays; a run of G34 and G35 is interrupted.
-        self.state.thread.chain = false;
-        self.after_motion(&cycle.plan, true, cycle.block, stream)
+        Ok(())
     }
 }

@@ -40,9 +40,9 @@ struct Names {
 }
 
 impl<'a> Programs<'a> {
-    /// The programs of the main text and the library.
-    pub fn new(main: &'a [u8], setup: &'a Setup) -> Self {
-        Self { texts: Texts::new(main, setup), setup, all: None, within: None, names: BTreeMap::new() }
+    /// The programs of these texts.
+    pub fn new(texts: Texts<'a>, setup: &'a Setup) -> Self {
+        Self { texts, setup, all: None, within: None, names: BTreeMap::new() }
     }
 
     /// The texts.

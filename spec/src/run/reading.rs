@@ -3,14 +3,15 @@
 use std::collections::VecDeque;
 
 use super::programs::Programs;
-use super::texts::{Read, Spot};
+use super::texts::{Read, Spot, Texts};
 use crate::fault::{Fault, Outcome};
 use crate::integer::steps;
 use crate::modal::Words;
 use crate::syntax::{Body, Communication, Heading, Item, Statement, heading, parse};
 use crate::task::Activation;
+use crate::turret::selected_by;
 use crate::vocabulary::rule_ids::*;
-use crate::vocabulary::{AlarmName, Label, Place, Setup};
+use crate::vocabulary::{AlarmName, Label, MachineType, Place, Setup, Side};
 
 /// A block that was read.
 pub struct Block {
@@ -30,6 +31,8 @@ pub enum Content {
     Name,
     /// Items, not evaluated yet; NOEX in front of them, or alone, does nothing (E100L-NOEX-01).
     Items(Vec<Item>),
+    /// It selects a turret (E100L-MIRR-03).
+    Turret(Vec<Side>),
     /// Words that look-ahead has evaluated.
     Words(Box<Words>),
     /// A statement that tells which block comes next.
@@ -47,14 +50,14 @@ pub struct Reader<'a> {
     next: Spot,
     /// Blocks that were read ahead of their turn.
     waiting: VecDeque<Block>,
-    /// Blocks that the run has arrived at.
-    steps: u64,
+    /// How many blocks the run has arrived at.
+    pub steps: u64,
 }
 
 impl<'a> Reader<'a> {
     /// At the beginning of the main text.
-    pub fn new(main: &'a [u8], setup: &'a Setup) -> Self {
-        let programs = Programs::new(main, setup);
+    pub fn new(texts: Texts<'a>, setup: &'a Setup) -> Self {
+        let programs = Programs::new(texts, setup);
         let next = programs.texts().main_start();
         Self { programs, setup, next, waiting: VecDeque::new(), steps: 0 }
     }
@@ -65,16 +68,16 @@ impl<'a> Reader<'a> {
         self.next = next;
     }
 
-    /// The block at which the run arrives. The place is set as soon as it is known.
-    pub fn arrive(&mut self, program: &mut Activation, place: &mut Place) -> Outcome<Block> {
+    /// The block at which the run arrives; none at the end of the text. The place is set as soon as it is known.
+    pub fn arrive(&mut self, program: &mut Activation, place: &mut Place) -> Outcome<Option<Block>> {
         if let Some(block) = self.waiting.pop_front() {
             self.step(Place { sequence: Label::default(), ..block.place }, place)?;
             *place = block.place;
-            return Ok(block);
+            return Ok(Some(block));
         }
         let Some(read) = self.programs.texts().read(self.next)? else {
             *place = Place { program: program.name, ..self.programs.texts().end(self.next) };
-            return Err(end(program));
+            return Ok(None);
         };
         let here = Place { program: program.name, ..read.line.place };
         if program.began && self.begins_program(&read) {
@@ -83,11 +86,11 @@ impl<'a> Reader<'a> {
             return if program.caller.is_some() || program.selected {
                 Err(end(program))
             } else {
-                self.block(read, program, place)
+                self.block(read, program, place).map(Some)
             };
         }
         self.step(here, place)?;
-        self.block(read, program, place)
+        self.block(read, program, place).map(Some)
     }
 
     /// E100L-GOTO-03: one step more.
@@ -126,12 +129,17 @@ impl<'a> Reader<'a> {
                 Content::Name
             }
             Body::Items(items) if items.is_empty() => Content::Name,
+            Body::Items(items) if self.selects_turret(&items) => Content::Turret(selected_by(&items)),
             Body::Items(items) | Body::Noex(items) => Content::Items(items),
             Body::Statement(statement) => Content::Statement(statement),
             Body::Communication(statement) => Content::Communication(statement),
         };
         self.next = behind;
         Ok(Block { place: *place, content, behind })
+    }
+
+    fn selects_turret(&self, items: &[Item]) -> bool {
+        self.setup.machine.r#type == MachineType::TwoTurrets && !selected_by(items).is_empty()
     }
 
     /// The block `index` places further in the program, those aside that look-ahead does not see; none where the
@@ -155,7 +163,7 @@ fn is_seen(block: &Block) -> bool {
 }
 
 /// The end of a program without RTS, M02 or M30.
-fn end(program: &Activation) -> Fault {
+pub fn end(program: &Activation) -> Fault {
     match program.caller {
         Some(_) => Fault::new(AlarmName::NoReturn, RTS_01),
         None => Fault::new(AlarmName::NoProgramEnd, PROG_02),

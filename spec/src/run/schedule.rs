@@ -1,8 +1,9 @@
 //! A schedule program carried out: its own blocks, and the programs that it selects (E100L-SDF-01 to -20).
 
+use super::Progress;
 use super::Spot;
+use super::channel::Channel;
 use super::texts::Read;
-use super::{Progress, Run};
 use crate::controls::e100l::g_codes::GGroup;
 use crate::emission::Emission;
 use crate::fault::{Fault, Outcome, fail};
@@ -14,7 +15,7 @@ use crate::task::{self, Calls, Registration};
 use crate::vocabulary::rule_ids::*;
 use crate::vocabulary::{Action, AlarmName, Label, Place, RuleId, RuleSet};
 
-impl Run<'_> {
+impl Channel<'_> {
     /// Whether the block that comes next is one of the schedule program.
     pub(super) fn in_schedule(&self) -> bool {
         self.schedule.as_ref().is_some_and(|schedule| schedule.running.is_none())
@@ -50,7 +51,8 @@ impl Run<'_> {
             ScheduleBlock::Select(selection) => self.select(&selection, start, *place, decided)?,
             ScheduleBlock::End => {
                 let end = Action::End { code: Label::new("END") };
-                decided.push((*place, Emission::new(end, RuleSet::of(&[SDF_20]))));
+                let event = Emission::new(end, RuleSet::of(&[SDF_20]));
+                decided.push((*place, event.of(self.state.side())));
                 return Ok(Progress::Ended);
             }
         }
@@ -76,7 +78,7 @@ impl Run<'_> {
         self.state.base = None;
         for mut event in emissions {
             event.set_variable_by(RuleSet::of(&[SDF_17]));
-            decided.push((place, event));
+            decided.push((place, event.of(self.state.side())));
         }
         result.map(|_| ())
     }
@@ -114,7 +116,8 @@ impl Run<'_> {
     /// A repetition of a selected program begins.
     fn repeat(&mut self, running: Running, decided: &mut Vec<(Place, Emission)>) {
         let start = running.selected.start;
-        decided.push(running.event());
+        let (place, event) = running.event();
+        decided.push((place, event.of(self.state.side())));
         self.calls = Calls::selected(start);
         self.reader.go_to(start);
         if let Some(schedule) = &mut self.schedule {

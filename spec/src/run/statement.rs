@@ -1,6 +1,7 @@
 //! Statements carried out: jumps, calls, modes (execution.md, chapter 9).
 
-use super::{Program, Run, Spot};
+use super::channel::Channel;
+use super::{Program, Spot};
 use crate::compensation::Stream;
 use crate::emission::Emission;
 use crate::fault::{Fault, Outcome};
@@ -19,7 +20,7 @@ pub struct Carried {
     pub behind: Spot,
 }
 
-impl Run<'_> {
+impl Channel<'_> {
     /// Carries a statement out.
     pub(super) fn statement(
         &mut self,
@@ -185,7 +186,7 @@ impl Run<'_> {
         let event = Emission::new(call, RuleSet::of(&[MODIN_02]))
             .rule_if(self.calls.modes.count() > 1, MODIN_06)
             .rule_if(self.calls.within_mode().is_some(), MODIN_07);
-        let mut stream = self.compensation.stream(*place, decided);
+        let mut stream = self.compensation.stream(*place, self.state.side(), decided);
         stream.emissions.push(event);
         self.compensation.end_of_statement(&mut stream);
         stream.close();

@@ -1,5 +1,6 @@
 //! The texts of a run: the main text and those of the library (E100L-CALL-03, E100L-CALL-06), cut into blocks.
 
+use super::portions::{Portion, Way};
 use crate::fault::Outcome;
 use crate::syntax::{Line, Source};
 use crate::vocabulary::{Place, Setup, TapeCode};
@@ -20,13 +21,20 @@ pub struct Texts<'a> {
     main: &'a [u8],
     library: Vec<(&'a str, &'a [u8])>,
     code: TapeCode,
+    /// What is read of the main text, if it is not the whole.
+    portion: Option<Portion>,
 }
 
 impl<'a> Texts<'a> {
     /// The main text and the library of a set-up.
     pub fn new(main: &'a [u8], setup: &'a Setup) -> Self {
         let library = setup.library.iter().map(|(file, text)| (file.as_str(), text.0.as_slice())).collect();
-        Self { main, library, code: setup.tape.code }
+        Self { main, library, code: setup.tape.code, portion: None }
+    }
+
+    /// The same, but of the main text only a portion (E100L-AX4-03).
+    pub fn of_portion(&self, portion: Portion) -> Self {
+        Self { main: self.main, library: self.library.clone(), code: self.code, portion: Some(portion) }
     }
 
     /// The file name of a text; the main text has none here.
@@ -68,8 +76,20 @@ impl<'a> Texts<'a> {
         spot(text, &source)
     }
 
-    /// The block that begins at a place, and the place behind it; none at the end of the text.
-    pub fn read(&self, at: Spot) -> Outcome<Option<Read>> {
+    /// The block that begins at a place, or the next one of the portion; none at the end of the text.
+    pub fn read(&self, mut at: Spot) -> Outcome<Option<Read>> {
+        while let Some(read) = self.next(at)? {
+            match self.portion.as_ref().map_or(Way::Here, |portion| portion.way(read.start)) {
+                Way::Here => return Ok(Some(read)),
+                Way::To(next) => at = next,
+                Way::Nowhere => return Ok(None),
+            }
+        }
+        Ok(None)
+    }
+
+    /// The block that begins at a place, and the place behind it.
+    fn next(&self, at: Spot) -> Outcome<Option<Read>> {
         let mut source = self.source(at);
         let Some(line) = source.next_line()? else { return Ok(None) };
         let start = Spot { text: at.text, position: line.place.start as usize, line: line.place.line };

@@ -42,8 +42,8 @@ pub struct ActiveMode {
 impl<'a> Run<'a> {
     /// The programs that run, each called by the one before; the main program is the first.
     pub fn call_stack(&self) -> impl Iterator<Item = ActiveProgram<'a>> {
-        let texts = self.reader.programs.texts();
-        self.calls.programs().map(|Activation { name, start, caller, .. }| ActiveProgram {
+        let texts = self.channel().reader.programs.texts();
+        self.channel().calls.programs().map(|Activation { name, start, caller, .. }| ActiveProgram {
             name: *name,
             file: texts.file(start.text),
             called_at: caller.as_ref().map(|caller| caller.place),
@@ -52,10 +52,12 @@ impl<'a> Run<'a> {
 
     /// The local variables in the order in which they were registered; of two with one name the later one counts.
     pub fn local_variables(&self) -> impl Iterator<Item = LocalVariable> {
-        self.state.memory.locals.entries().iter().map(|Entry { name, value, owner }| {
+        self.channel().state.memory.locals.entries().iter().map(|Entry { name, value, owner }| {
             let (owner, mode) = match owner {
-                Owner::Program(depth) => (self.calls.programs().nth(*depth).map(|each| each.name), None),
-                Owner::Mode(number) => (self.calls.modes.program(*number), Some(*number)),
+                Owner::Program(depth) => {
+                    (self.channel().calls.programs().nth(*depth).map(|each| each.name), None)
+                }
+                Owner::Mode(number) => (self.channel().calls.modes.program(*number), Some(*number)),
             };
             LocalVariable { name: *name, value: *value, owner: owner.unwrap_or_default(), mode }
         })
@@ -63,7 +65,7 @@ impl<'a> Run<'a> {
 
     /// The modes that are active, in the order in which they began.
     pub fn active_modes(&self) -> impl Iterator<Item = ActiveMode> {
-        let modes = self.calls.modes.all().iter().enumerate();
+        let modes = self.channel().calls.modes.all().iter().enumerate();
         modes.map(|(index, Mode { program, place, .. })| ActiveMode {
             number: index + 1,
             program: *program,

@@ -1,9 +1,9 @@
 //! Expressions, one function a level of precedence (E100L-MATH-17, E100L-AEXP-05, E100L-AEXP-06, E100L-AEXP-07).
 
 use super::cursor::Cursor;
-use super::items::{Role, has_blanks, local_name, not_has_blanks, variable};
+use super::items::{Role, has_blanks, local_variable, not_has_blanks, variable};
 use super::number;
-use super::tree::{BinaryOperator, Expression, Function, Variable};
+use super::tree::{BinaryOperator, Expression, Function};
 use crate::controls::e100l::addresses::{EXTENDED, EXTENDED_LATER, OPERATOR_WORDS, STATEMENTS};
 use crate::fault::{Fault, Outcome, fail};
 use crate::vocabulary::rule_ids::*;
@@ -121,7 +121,7 @@ fn named(cursor: &mut Cursor, setup: &Setup) -> Outcome<Expression> {
     if one_letter || is_reserved(name) {
         return fail(AlarmName::Format, AEXP_01);
     }
-    Ok(Expression::Variable(Box::new(Variable::Local(local_name(name)?))))
+    Ok(Expression::Variable(Box::new(local_variable(name, setup)?)))
 }
 
 /// E100L-LVAR-02: names that no local variable can have, besides those of functions.

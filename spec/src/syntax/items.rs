@@ -1,6 +1,7 @@
 //! The items of a block: words, assignments, the mnemonic.
 
 use super::cursor::{Cursor, is_blank_after, is_blank_before};
+use super::saddles::{has_two_saddles, is_described};
 use super::tree::{Address, BinaryOperator, Expression, Function, Item, ItemKind, Value, Variable};
 use super::{expression, number, string};
 use crate::controls::e100l::addresses::{EXTENDED, EXTENDED_LATER, LETTERS, OPERATOR_WORDS, STATEMENTS};
@@ -21,10 +22,12 @@ pub fn items(cursor: &mut Cursor, setup: &Setup) -> Outcome<Vec<Item>> {
     Ok(items)
 }
 
-/// The next item of a block of items.
+/// The next item of a block of items. E100L-PSYNC-01: P is a word of two saddles alone.
 pub fn next(cursor: &mut Cursor, setup: &Setup) -> Outcome<Option<Item>> {
     let item = any(cursor, setup)?;
-    if let Some(Item { kind: ItemKind::Word(Address::Letter(b'P'), _), span }) = &item {
+    if let Some(Item { kind: ItemKind::Word(Address::Letter(b'P'), _), span }) = &item
+        && !has_two_saddles(setup)
+    {
         return Err(Fault::about(AlarmName::NotModelled, ADDR_01, "P").at(span.clone()));
     }
     Ok(item)
@@ -93,7 +96,7 @@ fn named(cursor: &mut Cursor, setup: &Setup) -> Outcome<ItemKind> {
     }
     match name.as_bytes().first() {
         Some(letter @ (b'N' | b'O')) => Err(no_address(*letter)),
-        _ => setting(cursor, Variable::Local(local_name(name)?), setup),
+        _ => setting(cursor, local_variable(name, setup)?, setup),
     }
 }
 
@@ -104,6 +107,13 @@ pub fn local_name(run: &str) -> Outcome<Label> {
         return Err(Fault::about(AlarmName::LocalNameMalformed, LVAR_01, detail));
     }
     Ok(Label::new(run))
+}
+
+/// A local variable.
+pub fn local_variable(run: &str, setup: &Setup) -> Outcome<Variable> {
+    let name = local_name(run)?;
+    is_described(name.as_str(), setup)?;
+    Ok(Variable::Local(name))
 }
 
 /// E100L-FMT-01, E100L-FMT-02, E100L-FMT-03: the value of a word.
@@ -164,6 +174,7 @@ fn operator_follows(cursor: &mut Cursor) -> Outcome<bool> {
 /// E100L-AEXP-01: a variable, `=` and an expression, or a string for the comment of user alarms (E100L-VUACM-01).
 fn assignment(cursor: &mut Cursor, setup: &Setup) -> Outcome<ItemKind> {
     if cursor.run() == system_variables::COMMENT {
+        is_described(system_variables::COMMENT, setup)?;
         return string::comment(cursor, setup);
     }
     let target = variable(cursor, setup, Role::Written)?;
@@ -209,7 +220,10 @@ pub fn variable(cursor: &mut Cursor, setup: &Setup, role: Role) -> Outcome<Varia
     cursor.advance(run.len());
     let name = run.get(1..).unwrap_or_default();
     if name.bytes().next().is_some_and(|first| first.is_ascii_digit()) {
-        return common_variable(name);
+        return common_variable(name, setup);
+    }
+    if system_variables::is_known(&run) {
+        is_described(&run, setup)?;
     }
     let Some(system) = system_variables::MODELLED.iter().find(|each| each.name == run) else {
         if run == system_variables::UNIT_SYSTEM {
@@ -236,12 +250,15 @@ pub fn variable(cursor: &mut Cursor, setup: &Setup, role: Role) -> Outcome<Varia
     Ok(Variable::System(system, suffix))
 }
 
-fn common_variable(digits: &str) -> Outcome<Variable> {
+fn common_variable(digits: &str, setup: &Setup) -> Outcome<Variable> {
     if !digits.bytes().all(|digit| digit.is_ascii_digit()) {
         return fail(AlarmName::SystemVariableUnknown, SVAR_01);
     }
     match digits.parse::<u8>() {
-        Ok(number) if digits.len() <= 3 && (1..=200).contains(&number) => Ok(Variable::Common(number)),
+        Ok(number) if digits.len() <= 3 && (1..=200).contains(&number) => {
+            is_described(&format!("V{number}"), setup)?;
+            Ok(Variable::Common(number))
+        }
         _ => fail(AlarmName::VariableNumber, CVAR_01),
     }
 }

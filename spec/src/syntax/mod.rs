@@ -7,6 +7,7 @@ mod file_name;
 mod grammar;
 mod items;
 mod number;
+mod saddles;
 mod schedule;
 mod source;
 mod statement;

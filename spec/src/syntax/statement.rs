@@ -5,6 +5,7 @@ use super::cursor::{Cursor, is_blank_after};
 use super::expression::{close_bracket, expression, is_reserved};
 use super::grammar::{called_name, sequence_name};
 use super::items::{self, local_name};
+use super::saddles::is_described;
 use super::tree::{Address, Body, Callee, Condition, Function, Item, ItemKind, Statement, Value};
 use crate::controls::e100l::addresses::{DELIMITED, OF_SCHEDULES, STATEMENTS};
 use crate::controls::e100l::macros::{self, Macro};
@@ -40,6 +41,7 @@ fn keyword(cursor: &mut Cursor) -> Outcome<Option<&'static str>> {
 }
 
 fn of_keyword(keyword: &str, cursor: &mut Cursor, setup: &Setup) -> Outcome<Body> {
+    is_described(keyword, setup)?;
     if OF_SCHEDULES.contains(&keyword) {
         return Err(Fault::about(AlarmName::ScheduleStatement, SDF_02, keyword));
     }
@@ -171,6 +173,7 @@ fn of_macro_code(cursor: &mut Cursor, setup: &Setup) -> Outcome<Option<Statement
         cursor.rewind(start);
         return Ok(None);
     };
+    is_described(code.as_str(), setup)?;
     let rule = if code.as_str().starts_with('G') { MACRO_01 } else { MACRO_02 };
     let settings = settings(cursor, setup, rule)?;
     Ok(Some(match kind {

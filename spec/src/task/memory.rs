@@ -6,7 +6,7 @@ use super::interference::Interference;
 use super::locals::Locals;
 use super::outputs::Comment;
 use crate::controls::e100l::system_variables::{Axis, BarrierDatum};
-use crate::vocabulary::{Barriers, Length, Setup};
+use crate::vocabulary::{Barriers, Length, NoseRadius, Setup};
 
 /// The memory of a control.
 #[derive(Clone, Debug)]
@@ -44,16 +44,10 @@ impl Memory {
                 *slot = *value + 0.0;
             }
         }
-        let mut nose_radii = vec![(0, 0); usize::from(setup.options.offset_sets) + 1];
-        for entry in &setup.nose_radius {
-            if let Some(slot) = nose_radii.get_mut(usize::from(entry.number)) {
-                *slot = (entry.x.0, entry.z.0);
-            }
-        }
         Self {
             common,
             locals: Locals::default(),
-            nose_radii,
+            nose_radii: nose_radii_by_number(&setup.nose_radius, setup.options.offset_sets),
             barriers: setup.barriers,
             droop: [setup.droop.x, setup.droop.z, setup.droop.c],
             pitch_errors: vec![(0, 0); 121],
@@ -84,6 +78,17 @@ impl Memory {
         }
         value
     }
+}
+
+/// Nose radius amounts by number; number 0, and those without an entry, hold zero.
+pub fn nose_radii_by_number(entries: &[NoseRadius], sets: u8) -> Vec<(i64, i64)> {
+    let mut radii = vec![(0, 0); usize::from(sets) + 1];
+    for entry in entries {
+        if let Some(slot) = radii.get_mut(usize::from(entry.number)) {
+            *slot = (entry.x.0, entry.z.0);
+        }
+    }
+    radii
 }
 
 /// The member of an X-Z pair.

@@ -19,7 +19,7 @@ pub use calls::{Activation, Caller, Calls};
 pub use communication::communicate;
 pub use evaluate::evaluate;
 pub use locals::{Entry, Owner, Registration};
-pub use memory::Memory;
+pub use memory::{Memory, nose_radii_by_number};
 pub use modal::Mode;
 pub use number::Number;
 pub use outputs::comment;

@@ -108,6 +108,9 @@ alarms! {
     AbsoluteAndIncremental "absolute_and_incremental" None, "G90 and G91 in one block";
     GCodesConflict "g_codes_conflict" None, "two G codes of one group in a block";
     MCodesConflict "m_codes_conflict" None, "two M codes of one group in a block";
+    TurretMissing "turret_missing" None, "turret not on this machine";
+    TurretChange "turret_change" None, "change of turret in a mode that does not allow it";
+    SidesDiffer "sides_differ" None, "code that both saddles must command together";
     NotAlone "not_alone" None, "code must stand alone in its block";
     CuttingSpeedMissing "cutting_speed_missing" None, "G96 or G97 without S";
     WordMissing "word_missing" None, "missing word";

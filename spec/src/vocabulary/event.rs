@@ -41,9 +41,53 @@ pub struct Event {
     /// The readings it depends on.
     #[serde(default, skip_serializing_if = "ReadingSet::is_empty")]
     pub readings: ReadingSet,
+    /// The turret that is selected, on machines with two turrets on one saddle.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub turret: Option<Side>,
+    /// The saddle that the event is about, on machines with two saddles.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub saddle: Option<Side>,
     /// What happens.
     #[serde(flatten)]
     pub action: Action,
+}
+
+impl Event {
+    /// An event of a machine with one turret.
+    #[must_use]
+    pub fn new(n: u64, block: Place, rules: RuleSet, readings: ReadingSet, action: Action) -> Self {
+        Self { n, block, rules, readings, turret: None, saddle: None, action }
+    }
+}
+
+/// One of two turrets or saddles.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub enum Side {
+    /// That of G13.
+    A,
+    /// That of G14.
+    B,
+}
+
+impl Side {
+    /// `A` or `B`.
+    #[must_use]
+    pub fn as_str(self) -> &'static str {
+        match self {
+            Self::A => "A",
+            Self::B => "B",
+        }
+    }
+
+    /// The other one.
+    #[must_use]
+    pub fn other(self) -> Self {
+        match self {
+            Self::A => Self::B,
+            Self::B => Self::A,
+        }
+    }
 }
 
 /// What happens.
@@ -202,6 +246,32 @@ pub enum Action {
         name: Label,
         /// Which repetition it is, from 1.
         repetition: u16,
+    },
+    /// A saddle waits for the other one: at a P word or at M100.
+    Wait {
+        /// The value of P.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        p: Option<u16>,
+        /// `M100`.
+        #[serde(default, skip_serializing_if = "Label::is_empty")]
+        code: Label,
+    },
+    /// A waiting saddle goes on.
+    Release {
+        /// The value of P that it waited at.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        p: Option<u16>,
+        /// `M100`, if it waited there.
+        #[serde(default, skip_serializing_if = "Label::is_empty")]
+        code: Label,
+        /// Why.
+        cause: ReleaseCause,
+    },
+    /// The program of one saddle is at its end.
+    SideEnd {
+        /// `M02` or `M30`; nothing if it had neither.
+        #[serde(default, skip_serializing_if = "Label::is_empty")]
+        code: Label,
     },
     /// Program stop.
     Stop,
@@ -438,6 +508,23 @@ pub enum CallCause {
     Macro,
     /// A motion while a MODIN mode is active.
     Modal,
+}
+
+/// Why a waiting saddle goes on.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(rename_all = "snake_case")]
+pub enum ReleaseCause {
+    /// The other saddle waits at a greater P.
+    Smaller,
+    /// The other saddle waits at the same P.
+    Equal,
+    /// It waited at M100, and the other saddle waits at a P.
+    PCode,
+    /// The other saddle waits at M100, too.
+    Counterpart,
+    /// The program of the other saddle is at its end.
+    OtherEnded,
 }
 
 /// The value of a variable.

@@ -112,6 +112,10 @@ features! {
     Torque "torque"
     /// Turret functions.
     Turret "turret"
+    /// Two saddles that move by themselves.
+    TwoSaddles "two-saddles"
+    /// Two turrets on one saddle, and M100.
+    TwoTurrets "two-turrets"
     /// Unit systems other than 1 mm.
     Units "units"
     /// User alarms and their comment.

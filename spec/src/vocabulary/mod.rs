@@ -24,7 +24,7 @@ mod unit;
 pub use alarm::{Alarm, AlarmName};
 pub use event::{
     Action, CallCause, Ending, Event, Feed, FeedUnit, FrameCause, LeadAxis, Motion, Part, PlanePosition,
-    Position, Sense, Sink, SpeedLimit, Spindle, SpindleName, SpindleState, Value,
+    Position, ReleaseCause, Sense, Side, Sink, SpeedLimit, Spindle, SpindleName, SpindleState, Value,
 };
 pub use feature::Feature;
 pub use label::Label;
@@ -37,9 +37,9 @@ pub use reading::{
 };
 pub use rule::{RuleId, RuleSet};
 pub use setup::{
-    AxisAmounts, Barriers, Chamfering, Control, Droop, EndCode, Gear, Inputs, Limit, Limits, NoseRadius,
-    Options, Parameters, Setup, SetupError, SpindleSetup, StmCheck, Switches, Tape, TapeCode, ToolOffset,
-    UnitSystem,
+    AxisAmounts, Barriers, Chamfering, Control, Droop, EndCode, Gear, Inputs, Limit, Limits, Machine,
+    MachineType, NoseRadius, Options, Parameters, PlaneAmounts, PlaneLimits, Setup, SetupError, SpindleSetup,
+    StmCheck, Switches, Tape, TapeCode, ToolOffset, TurretB, UnitSystem,
 };
 pub use text::Text;
 pub use unit::{Angle, CuttingSpeed, Duration, FeedRate, Length, Speed};

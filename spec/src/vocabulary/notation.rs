@@ -5,8 +5,8 @@
 //! number of events.
 
 use super::{
-    Action, Event, Feed, FeedUnit, LeadAxis, Motion, Part, Position, Sense, SpeedLimit, Spindle, SpindleName,
-    SpindleState, Value,
+    Action, Event, Feed, FeedUnit, Label, LeadAxis, Motion, Part, Position, Sense, Side, SpeedLimit, Spindle,
+    SpindleName, SpindleState, Value,
 };
 
 /// Writes an event in compact notation, every field of it, its line number, rules and readings last.
@@ -106,6 +106,20 @@ pub fn fields(event: &Event) -> Vec<(&'static str, String)> {
             .add("file", file)
             .add_some("name", (!name.is_empty()).then_some(name))
             .add("repetition", repetition),
+        Action::Wait { p, code } => list.kind("wait").stop_point(*p, code),
+        Action::Release { p, code, cause } => {
+            let cause = match cause {
+                super::ReleaseCause::Smaller => "smaller",
+                super::ReleaseCause::Equal => "equal",
+                super::ReleaseCause::PCode => "p_code",
+                super::ReleaseCause::Counterpart => "counterpart",
+                super::ReleaseCause::OtherEnded => "other_ended",
+            };
+            list.kind("release").stop_point(*p, code).add("cause", &cause)
+        }
+        Action::SideEnd { code } => {
+            list.kind("side_end").add_some("code", (!code.is_empty()).then_some(code))
+        }
         Action::Stop => list.kind("stop"),
         Action::OptionalStop => list.kind("optional_stop"),
         Action::End { code } => list.kind("end").add("code", code),
@@ -115,6 +129,8 @@ pub fn fields(event: &Event) -> Vec<(&'static str, String)> {
             .add_some("number", alarm.number.as_ref())
             .add_some("detail", (!alarm.detail.is_empty()).then_some(&alarm.detail)),
     };
+    list.add_some("turret", event.turret.map(Side::as_str).as_ref());
+    list.add_some("saddle", event.saddle.map(Side::as_str).as_ref());
     list.0
 }
 
@@ -157,6 +173,11 @@ impl Fields {
             self.add(key, value);
         }
         self
+    }
+
+    /// Where a saddle waits: at a P or at a code.
+    fn stop_point(&mut self, p: Option<u16>, code: &Label) -> &mut Self {
+        self.add_some("p", p.as_ref()).add_some("code", (!code.is_empty()).then_some(code))
     }
 
     fn feed(&mut self, feed: &Feed) -> &mut Self {
@@ -303,7 +324,7 @@ mod tests {
     #[test]
     fn readings_are_written_where_there_are_any() {
         let (block, rules, none) = (Place::default(), RuleSet::EMPTY, ReadingSet::default());
-        let event = Event { n: 1, block, rules, readings: none, action: Action::Stop };
+        let event = Event::new(1, block, rules, none, Action::Stop);
         assert_eq!(render(&event), "stop line=0 rules=");
         let readings = none.with(Reading::ALL[0]);
         let expected = format!("stop line=0 rules= readings={}", Reading::ALL[0].as_str());
@@ -313,7 +334,7 @@ mod tests {
     #[test]
     fn a_name_that_is_not_there_is_a_dash() {
         let (block, rules, readings) = (Place::default(), RuleSet::EMPTY, ReadingSet::default());
-        let event = Event { n: 1, block, rules, readings, action: Action::Stop };
+        let event = Event::new(1, block, rules, readings, Action::Stop);
         assert!(Expectation::parse("stop block=- program=-").matches(&[event]).is_ok());
         let block = Place { sequence: Label::new("N1"), ..block };
         assert!(Expectation::parse("stop block=-").matches(&[Event { block, ..event }]).is_err());

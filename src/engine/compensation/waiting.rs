@@ -202,7 +202,7 @@ impl Interpreter<'_> {
         let travel = (waiting.kind, waiting.feed);
         let action = self.action(travel, motion, (&start, &end, waiting.turn), &mut cites, &mut readings);
         let rules = self.cites.rules(cites);
-        self.emit_at_once(sink, Event { n: 0, block: waiting.place, rules, readings, action });
+        self.emit_at_once(sink, Event::new(0, waiting.place, rules, readings, action));
         Ok(())
     }
 }

@@ -15,11 +15,11 @@ pub enum GGroup {
     FeedUnit,
     /// G96 G97.
     CuttingSpeed,
-    /// G110.
+    /// G110 G111.
     CssTurret,
     /// G64 G65.
     Droop,
-    /// G13.
+    /// G13 G14.
     Turret,
     /// G04 G22 G28 G29 G50 G71 G72 G75 G76: act in their block only.
     OneShot,
@@ -91,20 +91,18 @@ pub fn g_code(code: u16) -> GCode {
     let group = match code {
         0..=3 | 31..=35 => GGroup::Motion,
         4 | 22 | 28 | 29 | 50 | 71 | 72 | 75 | 76 => GGroup::OneShot,
-        13 => GGroup::Turret,
+        13 | 14 => GGroup::Turret,
         17 | 18 | 119 => GGroup::Plane,
         40..=42 => GGroup::Compensation,
         64 | 65 => GGroup::Droop,
         90 | 91 => GGroup::Dimension,
         94 | 95 => GGroup::FeedUnit,
         96 | 97 => GGroup::CuttingSpeed,
-        110 => GGroup::CssTurret,
+        110 | 111 => GGroup::CssTurret,
         19 | 20 | 21 | 30 | 36 | 37 | 62 | 100 | 107 | 108 | 122 | 123 | 140..=143 | 152 | 191 => {
             return GCode::Unspecified;
         }
-        14 | 73 | 74 | 77 | 78 | 80..=88 | 101..=103 | 111..=113 | 132 | 133 => {
-            return GCode::Later;
-        }
+        73 | 74 | 77 | 78 | 80..=88 | 101..=103 | 112 | 113 | 132 | 133 => return GCode::Later,
         136..=138 | 178..=190 | 312 | 313 => return GCode::Later,
         161..=171 | 205..=214 => return GCode::Macro,
         _ => return GCode::Unassigned,

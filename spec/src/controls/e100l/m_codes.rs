@@ -66,8 +66,6 @@ pub enum MCode {
     Modelled,
     /// It is a macro code, and as such a statement (E100L-MACRO-02).
     Macro,
-    /// It is assigned; its behaviour is not modelled yet.
-    Later,
     /// It is not in the table.
     Unassigned,
 }
@@ -75,12 +73,11 @@ pub enum MCode {
 /// Looks an M code up.
 pub fn m_code(code: u16) -> MCode {
     match code {
-        100 => MCode::Later,
         321..=325 | 341..=360 => MCode::Macro,
         0..=6 | 8 | 9 | 12..=30 | 32..=44 | 48..=51 | 54..=56 | 58..=70 | 72..=81 | 83..=99 => {
             MCode::Modelled
         }
-        101..=120 | 122..=169 | 172..=185 | 188..=197 | 200..=209 | 211..=216 | 218..=244 => MCode::Modelled,
+        100..=120 | 122..=169 | 172..=185 | 188..=197 | 200..=209 | 211..=216 | 218..=244 => MCode::Modelled,
         246..=254 | 264 | 265 | 288..=291 | 308 | 309 | 334 | 335 | 361 | 362 => MCode::Modelled,
         _ => MCode::Unassigned,
     }
@@ -103,6 +100,7 @@ pub fn aux_rules(code: u16) -> &'static [RuleId] {
         83 | 84 => &[MCODE_21],
         85 => &[MCODE_22],
         86 | 87 => &[MCODE_23],
+        100 => &[M100_06],
         109 | 110 => &[MCODE_24],
         124 | 125 => &[MCODE_25, STM_02],
         136 => &[MCODE_26],

@@ -278,6 +278,13 @@ pub const MODELLED: &[SystemVariable] = &[
     read_only("VRUND", Quantity::FullTurn),
 ];
 
+/// Whether the table has a name, modelled or not.
+pub fn is_known(name: &str) -> bool {
+    MODELLED.iter().any(|each| each.name == name)
+        || LATER.contains(&name)
+        || [UNIT_SYSTEM, COMMENT].contains(&name)
+}
+
 /// E100L-SVTAB-05: the unit system, whose coding the manual does not give.
 pub const UNIT_SYSTEM: &str = "VUNIT";
 

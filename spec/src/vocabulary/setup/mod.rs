@@ -35,6 +35,8 @@ table! {
         control: Control = Control::E100l,
         /// What a written 1 means (E100L-DEC-01).
         unit_system: UnitSystem = UnitSystem::Millimetre,
+        /// How many saddles and turrets the machine has.
+        machine: Machine = Machine::default(),
         /// Optional parameters.
         parameters: Parameters = Parameters::default(),
         /// Options of the machine.
@@ -51,6 +53,8 @@ table! {
         tool_offset: Vec<ToolOffset> = Vec::new(),
         /// Nose radius compensation data; numbers without an entry hold zero.
         nose_radius: Vec<NoseRadius> = Vec::new(),
+        /// The data of turret B or of saddle B, on machines that have it.
+        turret_b: TurretB = TurretB::default(),
         /// Variable travel limits in machine coordinates.
         limits: Limits = Limits::default(),
         /// Chuck and tailstock barrier data.
@@ -123,6 +127,70 @@ impl UnitSystem {
     #[must_use]
     pub fn is_inch(self) -> bool {
         matches!(self, Self::TenThousandthInch | Self::Inch)
+    }
+}
+
+table! {
+    /// The machine.
+    #[derive(Copy, Eq)]
+    Machine {
+        /// Its saddles and turrets.
+        r#type: MachineType = MachineType::OneTurret,
+    }
+}
+
+/// Saddles and turrets of a machine (E100L-MIRR-01, E100L-AX4-01).
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub enum MachineType {
+    /// One saddle with one turret.
+    #[serde(rename = "1S")]
+    OneTurret,
+    /// One saddle with two turrets.
+    #[serde(rename = "1S-2T")]
+    TwoTurrets,
+    /// Two saddles.
+    #[serde(rename = "2S")]
+    TwoSaddles,
+}
+
+table! {
+    /// The data of turret B or saddle B; the fields of the set-up with the same names are then those of A.
+    TurretB {
+        /// Machine position of saddle B at the start.
+        start: PlaneAmounts = PlaneAmounts::default(),
+        /// Zero offset.
+        zero_offset: PlaneAmounts = PlaneAmounts::default(),
+        /// Tool offsets; numbers without an entry hold zero.
+        tool_offset: Vec<ToolOffset> = Vec::new(),
+        /// Nose radius compensation data; numbers without an entry hold zero.
+        nose_radius: Vec<NoseRadius> = Vec::new(),
+        /// Variable travel limits of saddle B in machine coordinates.
+        limits: PlaneLimits = PlaneLimits::default(),
+        /// Machine coordinates at which the torque of each successive G22 block of saddle B reaches its preset value.
+        torque_stops: Vec<Length> = Vec::new(),
+    }
+}
+
+table! {
+    /// One amount each for X and Z.
+    #[derive(Copy)]
+    PlaneAmounts {
+        /// X, as a diameter.
+        x: Length = Length(0),
+        /// Z.
+        z: Length = Length(0),
+    }
+}
+
+table! {
+    /// Variable travel limits of X and Z in machine coordinates.
+    #[derive(Copy, Eq)]
+    PlaneLimits {
+        /// X, as a diameter.
+        x: Limit = Limit::default(),
+        /// Z.
+        z: Limit = Limit::default(),
     }
 }
 

@@ -2,7 +2,10 @@
 
 use std::collections::BTreeSet;
 
-use super::{AxisAmounts, Barriers, Options, Setup, SetupError, SpindleSetup, StmCheck};
+use super::{
+    AxisAmounts, Barriers, Limit, MachineType, Options, PlaneAmounts, Setup, SetupError, SpindleSetup,
+    StmCheck,
+};
 use crate::vocabulary::Length;
 
 type Checked = Result<(), SetupError>;
@@ -21,21 +24,43 @@ impl Setup {
         entries("tool_offset", self.options.offset_sets, offsets)?;
         let radii = self.nose_radius.iter().map(|each| (each.number, each.x, each.z));
         entries("nose_radius", self.options.offset_sets, radii)?;
+        self.turret_b()?;
         self.limits()?;
         barriers(&self.barriers)?;
         self.droop()?;
         spindle(&self.spindle)?;
         stm(&self.stm)?;
-        let stops = &self.inputs.torque_stops;
-        if stops.iter().any(|stop| !within(*stop, 2 * Self::COORDINATE)) {
-            return fault("inputs.torque_stops: a coordinate is out of range");
-        }
+        torque_stops("inputs.torque_stops", &self.inputs.torque_stops)?;
         self.variables()?;
         self.macros()?;
         self.library()?;
         self.devices()?;
         self.system_variables()?;
         self.inputs()
+    }
+
+    /// E100L-AX4-01, and what holds of the data of A.
+    fn turret_b(&self) -> Checked {
+        let (b, sets) = (&self.turret_b, self.options.offset_sets);
+        for (name, amounts) in [("turret_b.start", b.start), ("turret_b.zero_offset", b.zero_offset)] {
+            plane_amounts(name, amounts)?;
+        }
+        entries(
+            "turret_b.tool_offset",
+            sets,
+            b.tool_offset.iter().map(|each| (each.number, each.x, each.z)),
+        )?;
+        entries(
+            "turret_b.nose_radius",
+            sets,
+            b.nose_radius.iter().map(|each| (each.number, each.x, each.z)),
+        )?;
+        limit("turret_b.limits.x", b.limits.x)?;
+        limit("turret_b.limits.z", b.limits.z)?;
+        torque_stops("turret_b.torque_stops", &b.torque_stops)?;
+        require(self.machine.r#type != MachineType::TwoSaddles || !self.options.w_axis, || {
+            "options.w_axis: a machine of two saddles (machine.type) has no W axis".to_owned()
+        })
     }
 
     fn options(&self) -> Checked {
@@ -164,18 +189,7 @@ impl Setup {
     fn limits(&self) -> Checked {
         require(self.limits.steps > 0, || "limits.steps is 0, must be at least 1".to_owned())?;
         for (axis, limit) in [("x", self.limits.x), ("z", self.limits.z), ("w", self.limits.w)] {
-            for value in [limit.positive, limit.negative].into_iter().flatten() {
-                require(within(value, Self::COORDINATE) && in_steps(value), || {
-                    format!("limits.{axis}: {value} must be within 99999.999 in steps of 0.001")
-                })?;
-            }
-            if let (Some(positive), Some(negative)) = (limit.positive, limit.negative) {
-                require(negative <= positive, || {
-                    format!(
-                        "limits.{axis}: the positive limit {positive} lies below the negative limit {negative}"
-                    )
-                })?;
-            }
+            self::limit(&format!("limits.{axis}"), limit)?;
         }
         Ok(())
     }
@@ -273,6 +287,30 @@ fn amounts(name: &str, amounts: &AxisAmounts) -> Checked {
         require(in_steps(amount), || format!("{name}.{axis} is {amount}, finer than 0.001"))?;
     }
     Ok(())
+}
+
+fn plane_amounts(name: &str, amounts: PlaneAmounts) -> Checked {
+    self::amounts(name, &AxisAmounts { x: amounts.x, z: amounts.z, ..AxisAmounts::default() })
+}
+
+fn limit(name: &str, limit: Limit) -> Checked {
+    for value in [limit.positive, limit.negative].into_iter().flatten() {
+        require(within(value, Setup::COORDINATE) && in_steps(value), || {
+            format!("{name}: {value} must be within 99999.999 in steps of 0.001")
+        })?;
+    }
+    match (limit.positive, limit.negative) {
+        (Some(positive), Some(negative)) => require(negative <= positive, || {
+            format!("{name}: the positive limit {positive} lies below the negative limit {negative}")
+        }),
+        _ => Ok(()),
+    }
+}
+
+fn torque_stops(name: &str, stops: &[Length]) -> Checked {
+    require(stops.iter().all(|stop| within(*stop, 2 * Setup::COORDINATE)), || {
+        format!("{name}: a coordinate is out of range")
+    })
 }
 
 fn entries(name: &str, sets: u8, table: impl Iterator<Item = (u8, Length, Length)>) -> Checked {
