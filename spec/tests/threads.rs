@@ -7,7 +7,8 @@ use proptest::prelude::*;
 use turnspec_oracle::Run;
 use turnspec_oracle::vocabulary::notation::render;
 use turnspec_oracle::vocabulary::{
-    Action, BalancedInfeed, Chamfering, Ending, Event, FeedLength, Length, Limit, Part, Setup,
+    Action, BalancedInfeed, Chamfering, Ending, Event, FeedLength, Length, Limit, MachineType, Part, Setup,
+    Side, UnitSystem,
 };
 
 fn trace(program: &str, setup: &Setup) -> Vec<Event> {
@@ -279,6 +280,37 @@ fn passes_come_one_by_one() {
     }
 }
 
+/// E100L-PSYNC-03: of two cycles that start together that of side A comes first, all of it; M100 waits behind the last
+/// pass.
+#[test]
+fn cycles_of_two_saddles_follow_each_other() {
+    let mut setup = Setup::default();
+    setup.machine.r#type = MachineType::TwoSaddles;
+    let cycle = "G00 X30 Z40\nG71 X20 Z10 D1 H2 F1 M74 P10\nG71 X20 Z10 D1 H1 F1 M74 M100\nM02\n";
+    let events = trace(&format!("G13\n{cycle}G14\n{cycle}"), &setup);
+    let of = |event: &Event| match event.action {
+        Action::Thread { .. } => Some('t'),
+        Action::Wait { .. } => Some('w'),
+        Action::Release { .. } => Some('r'),
+        Action::End { .. } => Some('e'),
+        _ => None,
+    };
+    let order: Vec<(char, Option<Side>)> =
+        events.iter().filter_map(|event| of(event).map(|kind| (kind, event.saddle))).collect();
+    let expected = "wa wb ra rb ta ta tb tb ta wa tb wb ra rb ea";
+    let expected: Vec<(char, Option<Side>)> = expected
+        .split(' ')
+        .filter_map(|word| word.chars().next())
+        .zip(expected.split(' ').map(|word| Some(if word.ends_with('a') { Side::A } else { Side::B })))
+        .collect();
+    let kinds = |list: &[(char, Option<Side>)]| list.iter().map(|(kind, _)| *kind).collect::<String>();
+    assert_eq!(kinds(&order), kinds(&expected));
+    let threads = |list: &[(char, Option<Side>)]| {
+        list.iter().filter(|(kind, _)| *kind == 't').map(|(_, side)| *side).collect::<Vec<_>>()
+    };
+    assert_eq!(threads(&order), threads(&expected));
+}
+
 /// The depths of a cycle with these words, in nanometres, from its cuts.
 fn depths(words: &str, height: i64, setup: &Setup) -> Vec<i64> {
     let events = trace(&format!("G00 X1000 Z100\nG71 X0 Z0 F1 {words}\nM02\n"), setup);
@@ -297,6 +329,74 @@ fn words(step: i64, height: i64, allowance: i64) -> String {
 
 fn pattern() -> impl Strategy<Value = (i64, i64, i64)> {
     (200_i64..3_000, 2_000_i64..12_000, prop_oneof![Just(0), 1_i64..900])
+}
+
+/// A block of thread cutting with words of any size.
+fn any_block() -> impl Strategy<Value = String> {
+    let code = prop_oneof![
+        Just(""),
+        Just("G31"),
+        Just("G32"),
+        Just("G33"),
+        Just("G34"),
+        Just("G35"),
+        Just("G71"),
+        Just("G72")
+    ];
+    let dimension = prop_oneof![Just(""), Just("G90"), Just("G91")];
+    let value = prop_oneof![
+        Just("0"),
+        Just(".001"),
+        Just("1"),
+        Just("-1.5"),
+        Just("2"),
+        Just("30"),
+        Just("-40"),
+        Just("89.999"),
+        Just("90"),
+        Just("179.999"),
+        Just("359.999"),
+        Just("1000"),
+        Just("-99999.999"),
+        Just("99999.999"),
+    ];
+    let letters = prop::sample::subsequence("XZIKALEJCBDUHWQF".chars().collect::<Vec<_>>(), 0..9);
+    let m = prop_oneof![
+        Just(""),
+        Just("M27"),
+        Just("M23"),
+        Just("M33"),
+        Just("M34"),
+        Just("M73"),
+        Just("M74"),
+        Just("M75")
+    ];
+    (code, dimension, letters, prop::collection::vec(value, 9), m).prop_map(
+        |(code, dimension, letters, values, m)| {
+            let words: String =
+                letters.iter().zip(values).map(|(letter, value)| format!("{letter}{value}")).collect();
+            format!("{dimension}{code}{words}{m}\n")
+        },
+    )
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(256))]
+
+    /// Whatever the words, a program ends, and soon.
+    #[test]
+    fn every_program_ends(blocks in prop::collection::vec(any_block(), 1..5), at in prop::sample::select(vec!["X40Z80", "X0Z0", "X99999.999Z-99999.999"]), inch: bool) {
+        let mut setup = Setup::default();
+        setup.limits.steps = 50;
+        setup.readings.balanced_infeed = BalancedInfeed::EqualArea;
+        if inch {
+            setup.unit_system = UnitSystem::Inch;
+        }
+        let at = if inch { at.replace("99999.999", "9999.9999") } else { at.to_owned() };
+        let events = trace(&format!("G00 {at} F2 S1000 M03 M23 M74\n{}M02\n", blocks.concat()), &setup);
+        let ended = |event: &Event| matches!(event.action, Action::End { .. } | Action::Alarm(_));
+        prop_assert!(events.last().is_some_and(ended));
+    }
 }
 
 proptest! {

@@ -7,6 +7,7 @@ mod carry_out;
 mod check;
 mod compensation;
 mod feed;
+mod function;
 mod machine;
 mod miscellaneous;
 mod reset;
