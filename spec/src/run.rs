@@ -105,8 +105,8 @@ impl<'a> Run<'a> {
         sink.event(&event);
     }
 
-    /// Carries out one block, or a pass of it: the events that are decided then, in order, each with its place. The place of the
-    /// block is set as soon as it is known.
+    /// Carries out one block, or a pass of it: the events that are decided then, in order, each with its place. The
+    /// place of the block is set as soon as it is known.
     pub(crate) fn block(
         &mut self,
         place: &mut Place,

@@ -50,8 +50,8 @@ impl<'a> Channel<'a> {
         Self { reader, calls, state, compensation: Compensation::Off, schedule, cycle: None, setup }
     }
 
-    /// Carries out one block, or the next pass of a cycle: the events that are decided then, in order, each with its place. The place of the
-    /// block is set as soon as it is known.
+    /// Carries out one block, or the next pass of a cycle: the events that are decided then, in order, each with its
+    /// place. The place of the block is set as soon as it is known.
     pub fn block(&mut self, place: &mut Place, decided: &mut Vec<(Place, Emission)>) -> Outcome<Progress> {
         if self.in_schedule() {
             return self.schedule_block(place, decided);
