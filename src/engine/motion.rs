@@ -160,9 +160,7 @@ impl Interpreter<'_> {
             program: self.position(program_x, self.state.program(Z), |axis| self.state.program(axis)),
             machine: self.position(self.state.shown_mirror() * end[X], end[Z], |axis| end[axis]),
             c_travel: turn.map(|turn| Angle(turn.travel)),
-            speed: None,
-            tip: None,
-            nose: None,
+            ..Motion::default()
         };
         if self.state.constant_speed {
             let from = start[X] - self.state.frame(X);
