@@ -7,6 +7,7 @@ use turnspec_oracle::vocabulary::{
 use super::arithmetic::{frame, turn};
 use super::barriers::Watch;
 use super::planted::{self, Bug};
+use super::thread::Kept;
 use super::tool_data::{self, ToolTable};
 
 /// Amounts of the four axes in nanometres and micro-degrees, X as a diameter; by [`super::system::Axis`].
@@ -62,7 +63,7 @@ pub struct State {
     pub tool_data: ToolTable,
     pub common: Box<[f64; 201]>,
 
-    /// G00 to G03.
+    /// G00 to G03, G31 to G35.
     pub motion: u16,
     pub incremental: bool,
     pub per_minute: bool,
@@ -105,6 +106,8 @@ pub struct State {
     pub angle_target: Option<(i64, i64)>,
     /// Torque stops used so far.
     pub stops_used: usize,
+    /// What thread cutting remembers.
+    pub thread: Kept,
 }
 
 impl State {
@@ -192,6 +195,7 @@ impl State {
             base: None,
             angle_target: None,
             stops_used: 0,
+            thread: Kept::default(),
         }
     }
 
