@@ -152,3 +152,6 @@ impl Interpreter<'_> {
 fn unspecified(rule: RuleId, what: &str) -> Fault {
     Fault::about(AlarmName::Unspecified, rule, Label::new(what))
 }
+
+#[cfg(test)]
+mod tests;
