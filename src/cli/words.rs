@@ -4,8 +4,8 @@ use std::fmt::Write;
 
 use turnspec_oracle::vocabulary::notation::{feed_unit_text, value_text};
 use turnspec_oracle::vocabulary::{
-    Action, Alarm, Angle, CallCause, Event, Feed, FrameCause, Label, LeadAxis, Length, Motion, ReleaseCause, Sense,
-    SpeedLimit, Spindle, SpindleName, SpindleState, Value,
+    Action, Alarm, Angle, CallCause, Event, Feed, FrameCause, Label, LeadAxis, Length, Motion, ReleaseCause,
+    Sense, SpeedLimit, Spindle, SpindleName, SpindleState, Value,
 };
 
 /// What happens, in program coordinates; of a motion in radius compensation also where the tip is.
