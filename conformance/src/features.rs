@@ -99,6 +99,8 @@ criteria! {
         || has.kind(|action| matches!(action, Action::Call { .. }));
     SystemVariable "a variable with a name" |has| !has.words.system_variables.is_empty();
     TapeCode "another code than `ascii` in the set-up" |has| has.setup.tape.code != TapeCode::Ascii;
+    Thread "G31 to G35, G71, G72; a `thread` event; a rule of THRD" |has| has.g(&[31, 32, 33, 34, 35, 71, 72])
+        || has.kind(|action| matches!(action, Action::Thread { .. })) || has.area(&["THRD"]);
     TimeOver "the check enabled in the set-up" |has| has.setup.stm.enabled;
     Tool "address T; a `tool` event" |has| has.letter('T') || has.kind(|action| matches!(action, Action::Tool { .. }));
     Torque "G22, G28, G29" |has| has.g(&[22, 28, 29]);

@@ -6,6 +6,7 @@
 mod ahead;
 mod channel;
 mod meeting;
+mod passes;
 mod portions;
 mod programs;
 mod reading;
@@ -66,7 +67,8 @@ impl<'a> Run<'a> {
         Self { machine, setup, events: 0, ending: None }
     }
 
-    /// Carries out the next block, be it empty or skipped; the events that are decided then go to the sink. On two
+    /// Carries out the next block, be it empty or skipped, or the next pass of a compound thread cycle; the events that
+    /// are decided then go to the sink. On two
     /// saddles also lets them meet. `Some` when the run has ended.
     pub fn step(&mut self, sink: &mut impl Sink) -> Option<Ending> {
         if self.ending.is_some() {
@@ -103,8 +105,8 @@ impl<'a> Run<'a> {
         sink.event(&event);
     }
 
-    /// Carries out one block: the events that are decided then, in order, each with its place. The place of the
-    /// block is set as soon as it is known.
+    /// Carries out one block, or a pass of it: the events that are decided then, in order, each with its place. The
+    /// place of the block is set as soon as it is known.
     pub(crate) fn block(
         &mut self,
         place: &mut Place,

@@ -8,6 +8,7 @@ use crate::frame::{self, Frame, Limits, TravelLimit};
 use crate::path::Point;
 use crate::saddle::Saddle;
 use crate::task::Memory;
+use crate::thread;
 use crate::turret::OwnData;
 use crate::vocabulary::{Length, MachineType, Setup, Side, SpindleState};
 
@@ -49,6 +50,8 @@ pub struct State<'a> {
     pub saddle: Option<Saddle>,
     /// The end point of this block, when the block before had an angle alone.
     pub angle_target: Option<Point>,
+    /// The thread that goes on in the next block.
+    pub thread: thread::Kept,
 }
 
 /// The modal G codes, in the order of the groups.
@@ -64,6 +67,8 @@ pub struct StoredFeed {
     pub per_revolution: i64,
     /// The feed code in force when it was programmed.
     pub given_in: u16,
+    /// J: how many leads of a thread the feed per revolution holds (E100L-THRD-06).
+    pub leads: i64,
 }
 
 /// What was commanded of the spindles.
@@ -119,6 +124,7 @@ impl<'a> State<'a> {
             other_turret: (setup.machine.r#type == MachineType::TwoTurrets).then(|| OwnData::of_b(setup)),
             saddle: None,
             angle_target: None,
+            thread: thread::Kept::default(),
         }
     }
 

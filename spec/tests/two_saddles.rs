@@ -193,7 +193,7 @@ fn what_is_not_described() {
         ("X1 GOTO N1", "statement_misplaced -"),
         ("M21", "not_modelled M21"),
         ("M25", "not_modelled M25"),
-        ("Q1", "not_modelled Q"),
+        ("Q1", "word_without_function Q"),
         ("G=13", "no_program_end -"),
         ("G13 M08", "unspecified G13"),
     ] {

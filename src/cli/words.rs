@@ -4,8 +4,8 @@ use std::fmt::Write;
 
 use turnspec_oracle::vocabulary::notation::{feed_unit_text, value_text};
 use turnspec_oracle::vocabulary::{
-    Action, Alarm, Angle, CallCause, Event, Feed, FrameCause, Label, Length, Motion, ReleaseCause, Sense,
-    SpeedLimit, Spindle, SpindleName, SpindleState, Value,
+    Action, Alarm, Angle, CallCause, Event, Feed, FrameCause, Label, LeadAxis, Length, Motion, ReleaseCause,
+    Sense, SpeedLimit, Spindle, SpindleName, SpindleState, Value,
 };
 
 /// What happens, in program coordinates; of a motion in radius compensation also where the tip is.
@@ -22,6 +22,13 @@ pub fn describe(event: &Event) -> String {
             feed(*rate),
             turning(motion)
         ),
+        Action::Thread { motion, lead, axis, .. } => {
+            let axis = match axis {
+                LeadAxis::X => 'X',
+                LeadAxis::Z => 'Z',
+            };
+            format!("thread to {}, lead {lead} mm along {axis}{}", end_point(motion), turning(motion))
+        }
         Action::Dwell { time } => format!("dwell {time} s"),
         Action::Spindle(spindle) => spindle_words(spindle),
         Action::Tool { tool, offset, nose, index } => tool_words(*tool, *offset, *nose, *index),
@@ -109,6 +116,9 @@ fn turning(motion: &Motion) -> String {
     }
     if let Some(speed) = motion.speed {
         let _ = write!(text, ", {speed} rpm");
+    }
+    if let (Some(pass), Some(part)) = (motion.pass, motion.part) {
+        let _ = write!(text, " ({}, pass {pass})", part.as_str());
     }
     text
 }

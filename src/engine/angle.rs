@@ -78,15 +78,15 @@ impl Course {
 }
 
 /// Half a turn in micro-degrees.
-const HALF_TURN: i64 = 180_000_000;
+pub const HALF_TURN: i64 = 180_000_000;
 
 /// The coordinate that an angle and the other coordinate determine (E100L-DTAP-03):
 /// Z + dX / (2 tan A), or X + 2 dZ tan A.
-struct Taper {
-    from: i64,
-    along: i64,
-    angle: i64,
-    to_x: bool,
+pub struct Taper {
+    pub from: i64,
+    pub along: i64,
+    pub angle: i64,
+    pub to_x: bool,
 }
 
 impl Formula for Taper {

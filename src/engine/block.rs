@@ -8,6 +8,7 @@ use super::codes::GGroup;
 use super::compensation::Change;
 use super::fault::Fault;
 use super::planted::{self, Bug};
+use super::thread;
 use super::words::{Address, Parsed, Words};
 
 /// What a block does besides its modal codes.
@@ -21,18 +22,23 @@ pub enum OneShot {
     ZeroShift,
     Chamfer,
     Rounding,
+    /// G71.
+    ThreadAlong,
+    /// G72.
+    ThreadAcross,
 }
 
 impl OneShot {
     fn of(words: &Words) -> Self {
-        let code = words.g_codes().iter().find(|code| matches!(**code, 4 | 22 | 28 | 29 | 50 | 75 | 76));
-        match code {
+        match words.code_of(GGroup::OneShot) {
             Some(4) => Self::Dwell,
             Some(22) => Self::TorqueSkip,
             Some(28) => Self::TorqueOff,
             Some(29) => Self::TorqueLimit,
             Some(50) => Self::ZeroShift,
             Some(75) => Self::Chamfer,
+            Some(71) => Self::ThreadAlong,
+            Some(72) => Self::ThreadAcross,
             Some(76) => Self::Rounding,
             _ => Self::None,
         }
@@ -42,13 +48,18 @@ impl OneShot {
     pub fn is_chamfer(self) -> bool {
         matches!(self, Self::Chamfer | Self::Rounding)
     }
+
+    /// Whether the block cuts a whole thread.
+    pub fn is_compound_thread(self) -> bool {
+        matches!(self, Self::ThreadAlong | Self::ThreadAcross)
+    }
 }
 
 /// A checked block.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Plan {
     pub one_shot: OneShot,
-    /// The motion mode in force, G00 to G03.
+    /// The motion mode in force, G00 to G03 or G31 to G35.
     pub motion: u16,
     /// Whether the block moves.
     pub moves: bool,
@@ -63,7 +74,18 @@ impl Plan {
     pub fn is_axis_motion(&self, words: &Words) -> bool {
         let turns = planted::is(Bug::TriggeredByC) && words.has(Address::C);
         let coordinate = words.has(Address::X) || words.has(Address::Z) || turns;
-        self.moves && self.one_shot != OneShot::TorqueSkip && coordinate
+        let other = self.one_shot == OneShot::TorqueSkip || self.one_shot.is_compound_thread();
+        self.moves && !other && coordinate
+    }
+
+    /// Whether it is a thread block.
+    pub fn cuts_thread(&self) -> bool {
+        self.moves && self.one_shot == OneShot::None && thread::is_mode(self.motion)
+    }
+
+    /// Whether an F word of the block is a lead (E100L-THRD-04).
+    pub fn feeds_by_lead(&self) -> bool {
+        self.one_shot.is_compound_thread() || self.one_shot == OneShot::None && thread::is_mode(self.motion)
     }
 }
 
@@ -94,22 +116,34 @@ impl Interpreter<'_> {
     /// Checks a block, and tells what it will do.
     pub(super) fn check(&self, parsed: &Parsed, words: &Words, before: Before) -> Result<Plan, Fault> {
         let Before { motion: motion_before, after_angle, left_over } = before;
-        let motion = words.g_codes().iter().copied().find(|code| *code <= 3).unwrap_or(motion_before);
+        let motion = words.code_of(GGroup::Motion).unwrap_or(motion_before);
+        let threads = thread::is_mode(motion);
         let one_shot = OneShot::of(words);
         check_alone(parsed, words)?;
         let speed_mode = words.has_g(96) || words.has_g(97);
         if speed_mode && (!words.has(Address::S) || one_shot == OneShot::ZeroShift) {
             return Fault::raise(AlarmName::CuttingSpeedMissing, CSS_03);
         }
+        let arc = matches!(motion, 2 | 3);
+        let moving_words = match () {
+            () if arc => AXES | ARC,
+            () if threads => AXES | thread::WORDS,
+            () => AXES,
+        };
+        let free = one_shot == OneShot::None || one_shot.is_chamfer();
+        let compound = one_shot.is_compound_thread();
+        let moves = words.has_any(moving_words) && (free || one_shot == OneShot::TorqueSkip) || compound;
+        let cuts = compound || threads && moves && one_shot == OneShot::None;
+        if threads || compound {
+            self.check_thread_speed(words, motion, cuts)?;
+        }
         self.check_speed_turret(words)?;
         self.check_one_shot(words, one_shot, motion, after_angle)?;
-        let arc = motion >= 2;
-        let moving_words = if arc { AXES | ARC } else { AXES };
-        let free = one_shot == OneShot::None || one_shot.is_chamfer();
-        let moves = words.has_any(moving_words) && (free || one_shot == OneShot::TorqueSkip);
         if free && moves {
             if arc {
                 check_arc(words)?;
+            } else if threads {
+                self.check_thread(words, motion)?;
             } else {
                 self.check_line(words, after_angle)?;
             }
@@ -118,13 +152,16 @@ impl Interpreter<'_> {
             }
         }
         let compensation = self.compensation_change(words);
-        check_functions(words, one_shot, arc, compensation)?;
+        check_functions(words, one_shot, motion, compensation)?;
+        if threads || compound {
+            self.check_thread_compensation(words, motion, cuts, left_over)?;
+        }
         self.check_compensation(words, one_shot, (motion, compensation), left_over)?;
         if words.has_m(100) && words.code_of(GGroup::Compensation).unwrap_or(self.state.compensation) != 40 {
             return Fault::raise(AlarmName::CompensationNotAllowed, M100_04);
         }
         let coordinate = words.has(Address::X) || words.has(Address::Z);
-        let only_angle = free && !arc && words.has(Address::A) && !coordinate;
+        let only_angle = free && !arc && !threads && words.has(Address::A) && !coordinate;
         Ok(Plan { one_shot, motion, moves, only_angle, compensation })
     }
 
@@ -187,6 +224,7 @@ impl Interpreter<'_> {
                 Ok(())
             }
             OneShot::Chamfer | OneShot::Rounding => self.check_chamfer(words, one_shot, motion, after_angle),
+            OneShot::ThreadAlong | OneShot::ThreadAcross => self.check_compound_thread(words, one_shot),
         }
     }
 
@@ -284,10 +322,11 @@ pub fn full_circle() -> Fault {
 }
 
 /// Every word needs a function that takes it.
-fn check_functions(words: &Words, one_shot: OneShot, arc: bool, compensation: Change) -> Result<(), Fault> {
+fn check_functions(words: &Words, one_shot: OneShot, motion: u16, compensation: Change) -> Result<(), Fault> {
     let takes = ALWAYS
         | match one_shot {
-            OneShot::None if arc => ARC_TAKES,
+            OneShot::None if matches!(motion, 2 | 3) => ARC_TAKES,
+            OneShot::None if thread::is_mode(motion) => thread::takes(motion),
             OneShot::None if compensation != Change::None => AXES | IMAGINARY,
             OneShot::None => AXES,
             OneShot::Dwell | OneShot::TorqueOff => 0,
@@ -295,6 +334,8 @@ fn check_functions(words: &Words, one_shot: OneShot, arc: bool, compensation: Ch
             OneShot::TorqueLimit => LIMIT_TAKES,
             OneShot::ZeroShift => SHIFT_TAKES,
             OneShot::Chamfer | OneShot::Rounding => CHAMFER_TAKES,
+            OneShot::ThreadAlong => thread::ALONG_TAKES,
+            OneShot::ThreadAcross => thread::ACROSS_TAKES,
         };
     if words.present() & !takes == 0 {
         return Ok(());

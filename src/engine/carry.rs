@@ -2,7 +2,7 @@
 
 use turnspec_oracle::vocabulary::rule_ids::*;
 use turnspec_oracle::vocabulary::{
-    Action, AlarmName, Duration, Ending, FrameCause, Label, RuleSet, Side, Sink,
+    Action, AlarmName, Duration, Ending, FeedUnit, FrameCause, Label, RuleSet, Side, Sink,
 };
 
 use super::Interpreter;
@@ -32,8 +32,9 @@ impl Interpreter<'_> {
             self.change_mode(*code, sink);
         }
         if words.has(Address::F) && plan.one_shot != OneShot::Dwell {
-            self.store_feed(words)?;
+            self.store_feed(words, plan)?;
         }
+        self.state.thread.store_divisor(words, plan);
         self.act_at_once(words, plan, sink)?;
         self.speeds(words, plan, sink)?;
         if let Some(tool) = words.get(Address::T) {
@@ -46,8 +47,15 @@ impl Interpreter<'_> {
         self.change_compensation(plan.compensation, words);
         match plan.one_shot {
             OneShot::Dwell => self.dwell(words, sink)?,
-            OneShot::TorqueSkip => self.torque_skip(words, sink)?,
+            OneShot::TorqueSkip => {
+                self.torque_skip(words, sink)?;
+                self.state.thread.end_chain();
+            }
+            OneShot::ThreadAlong | OneShot::ThreadAcross => {
+                self.compound_thread(words, plan.one_shot, sink)?
+            }
             OneShot::Chamfer | OneShot::Rounding => self.chamfer(slot, plan, sink)?,
+            _ if plan.cuts_thread() => self.thread(words, plan.motion, sink)?,
             _ if plan.moves && plan.motion >= 2 => self.arc(words, plan.motion, sink)?,
             _ if plan.moves => self.line(slot, plan, sink)?,
             _ => {}
@@ -93,11 +101,16 @@ impl Interpreter<'_> {
         let state = &mut self.state;
         let flag = |flag: &mut bool, on: bool| std::mem::replace(flag, on) != on;
         let (group, previous, changed, rules) = match code {
-            0..=3 => {
+            0..=3 | 31..=35 => {
                 let previous = std::mem::replace(&mut state.motion, code);
+                state.thread.select_motion(code);
                 let rules = match code {
                     0 => with!(G00_01),
                     1 => with!(G01_01),
+                    31 => with!(G33_02),
+                    32 => with!(G32_01),
+                    33 => with!(G33_01),
+                    34 | 35 => with!(G34_01),
                     _ => with!(CIRC_01),
                 };
                 (const { Label::new("motion") }, previous, previous != code, rules)
@@ -161,15 +174,16 @@ impl Interpreter<'_> {
         self.emit(sink, rules, action);
     }
 
-    /// F: both readings are kept, the one in force is checked.
-    fn store_feed(&mut self, words: &Words) -> Result<(), Fault> {
-        let unit = self.units.feed[usize::from(!self.state.per_minute)];
+    /// F: both readings are kept, the one in force is checked; that of a thread is a lead (E100L-THRD-04).
+    fn store_feed(&mut self, words: &Words, plan: Plan) -> Result<(), Fault> {
+        let given = if plan.feeds_by_lead() { FeedUnit::PerRevolution } else { self.state.feed_unit() };
+        let unit = self.units.feed[usize::from(given == FeedUnit::PerRevolution)];
         let [least, most] = self.units.feeds;
         if !words.feed.within(unit, least, most) {
             return Fault::raise(AlarmName::AddressRange, ADDR_01);
         }
         let values = self.units.feed.map(|unit| words.feed.rounded(unit, 1));
-        self.state.feed = Some(StoredFeed { values, given: self.state.feed_unit() });
+        self.state.feed = Some(StoredFeed { values, given });
         Ok(())
     }
 

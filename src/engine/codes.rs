@@ -21,7 +21,7 @@ pub enum Status {
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 #[repr(u8)]
 pub enum GGroup {
-    /// G00 to G03.
+    /// G00 to G03, G31 to G35.
     Motion,
     /// G13, G14.
     Turret,
@@ -39,7 +39,7 @@ pub enum GGroup {
     CuttingSpeed,
     /// G110, G111.
     SpeedTurret,
-    /// G04 G22 G28 G29 G50 G75 G76, of which a block has one.
+    /// G04 G22 G28 G29 G50 G71 G72 G75 G76, of which a block has one.
     OneShot,
 }
 
@@ -105,8 +105,8 @@ pub fn is_m_macro(code: u16) -> bool {
 #[must_use]
 pub fn g_group(code: u16) -> Option<GGroup> {
     Some(match code {
-        0..=3 => GGroup::Motion,
-        4 | 22 | 28 | 29 | 50 | 75 | 76 => GGroup::OneShot,
+        0..=3 | 31..=35 => GGroup::Motion,
+        4 | 22 | 28 | 29 | 50 | 71 | 72 | 75 | 76 => GGroup::OneShot,
         13 | 14 => GGroup::Turret,
         17 | 18 | 119 => GGroup::Plane,
         40..=42 => GGroup::Compensation,

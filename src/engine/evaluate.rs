@@ -1,5 +1,7 @@
 //! Evaluating a block from left to right (execution, chapter 4): values, repetitions, ranges.
 
+use std::cmp::Ordering;
+
 use turnspec_oracle::vocabulary::rule_ids::*;
 use turnspec_oracle::vocabulary::{AlarmName, InchConversion, Label, RuleId, Side, Sink};
 
@@ -79,7 +81,9 @@ impl Interpreter<'_> {
                 number.whole(1000, Rounding::HalfAway)
             }
             Address::T => self.tool_word(number)?,
-            Address::G | Address::M | Address::Q | Address::Calrg => 0,
+            Address::J => divisor(number)?,
+            Address::Q => whole(number, 0, 9999, ADDR_01)?,
+            Address::G | Address::M | Address::Calrg => 0,
         };
         words.set(address, value);
         Ok(())
@@ -272,6 +276,12 @@ fn whole(number: Number, low: i64, high: i64, rule: RuleId) -> Result<i64, Fault
     }
     ranged(number, 1, low, high, rule)?;
     Ok(number.whole(1, Rounding::HalfAway))
+}
+
+/// The number of threads in the length F, 0 for one that is not whole (E100L-THRD-06).
+fn divisor(number: Number) -> Result<i64, Fault> {
+    let value = whole(number, 1, 9999, ADDR_01)?;
+    Ok(if number.compare(1, value) == Ordering::Equal { value } else { 0 })
 }
 
 fn code_number(number: Number, most: i64, rule: RuleId) -> Result<u16, Fault> {

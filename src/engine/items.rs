@@ -68,6 +68,7 @@ impl Parser<'_> {
             b'G' => Address::G,
             b'H' => Address::H,
             b'I' => Address::I,
+            b'J' => Address::J,
             b'K' => Address::K,
             b'L' => Address::L,
             b'M' => Address::M,
@@ -100,12 +101,12 @@ impl Parser<'_> {
         Ok(())
     }
 
-    /// P and Q belong to functions that are not modelled yet (E100L-ADDR-01).
+    /// P belongs to functions that are not modelled yet (E100L-ADDR-01).
     #[inline]
     pub(super) fn refuse_later_word(&self) -> Result<(), Fault> {
         match self.block.items.last().and_then(Item::address) {
             Some(Address::P) if self.options.two_saddles => Ok(()),
-            Some(address @ (Address::P | Address::Q)) => {
+            Some(address @ Address::P) => {
                 Err(Fault::about(AlarmName::NotModelled, ADDR_01, Label::new(address.text())))
             }
             _ => Ok(()),

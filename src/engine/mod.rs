@@ -41,6 +41,7 @@ mod state;
 mod system;
 mod task;
 mod text;
+mod thread;
 mod tool_data;
 mod torque;
 mod variables;
@@ -123,6 +124,10 @@ struct Known {
     clamp: ReadingSet,
     put_real: ReadingSet,
     user_alarm_c: ReadingSet,
+    taper: ReadingSet,
+    thread_shift: ReadingSet,
+    flank: ReadingSet,
+    balanced: ReadingSet,
 }
 
 impl Known {
@@ -141,6 +146,10 @@ impl Known {
             clamp: one(readings.speed_clamp),
             put_real: one(readings.put_real),
             user_alarm_c: one(readings.user_alarm_c),
+            taper: one(readings.taper_reference),
+            thread_shift: one(readings.thread_shift),
+            flank: one(readings.thread_flank),
+            balanced: one(readings.balanced_infeed),
         }
     }
 }

@@ -65,15 +65,20 @@ impl Element {
 impl Interpreter<'_> {
     /// The rules that every motion of a block cites, feed aside.
     pub(super) fn coordinate_cites(&self, words: &Words) -> Cites {
+        let turns = words.has(Address::QA);
+        self.plane_cites(words)
+            .and_if(turns || words.has(Address::C), cite::CAX_05)
+            .and_if(turns, cite::CAX_06)
+    }
+
+    /// The rules that every motion in X and Z alone cites, feed aside.
+    pub(super) fn plane_cites(&self, words: &Words) -> Cites {
         let incremental = self.state.incremental;
         let x = words.has(Address::X);
-        let turns = words.has(Address::QA);
         cite::COORD_03
             .and(if incremental { cite::ABS_02 } else { cite::ABS_01 })
             .and_if(x, cite::DIA_01)
             .and_if(x && incremental && !planted::is(Bug::DiameterRule), cite::ABS_03)
-            .and_if(turns || words.has(Address::C), cite::CAX_05)
-            .and_if(turns, cite::CAX_06)
             .and_if(self.inch_block, cite::INCH_02)
     }
 
@@ -160,9 +165,7 @@ impl Interpreter<'_> {
             program: self.position(program_x, self.state.program(Z), |axis| self.state.program(axis)),
             machine: self.position(self.state.shown_mirror() * end[X], end[Z], |axis| end[axis]),
             c_travel: turn.map(|turn| Angle(turn.travel)),
-            speed: None,
-            tip: None,
-            nose: None,
+            ..Motion::default()
         };
         if self.state.constant_speed {
             let from = start[X] - self.state.frame(X);
@@ -287,7 +290,7 @@ impl Interpreter<'_> {
 
     /// The length on which the feed is measured (E100L-G01-04, E100L-CFEED-03).
     #[inline]
-    fn path(&self, start: &Amounts, end: &Amounts, turn: Option<i64>) -> i64 {
+    pub(super) fn path(&self, start: &Amounts, end: &Amounts, turn: Option<i64>) -> i64 {
         let square = |axis: usize| feed::square(start[axis], end[axis]);
         let w = if planted::is(Bug::PathWithoutW) { 0 } else { square(W) };
         let (x, along) = (square(X), square(Z) + w);

@@ -9,6 +9,7 @@ use super::arithmetic::{frame, turn};
 use super::barriers::Watch;
 use super::planted::{self, Bug};
 use super::sides::{Turret, nose_radii, tool_offsets};
+use super::thread::Kept;
 use super::tool_data::{self, ToolTable};
 
 /// Amounts of the four axes in nanometres and micro-degrees, X as a diameter; by [`super::system::Axis`].
@@ -77,7 +78,7 @@ pub struct State {
     /// The turret that was selected when the main spindle was started.
     pub spindle_side: Side,
 
-    /// G00 to G03.
+    /// G00 to G03, G31 to G35.
     pub motion: u16,
     pub incremental: bool,
     pub per_minute: bool,
@@ -120,6 +121,8 @@ pub struct State {
     pub angle_target: Option<(i64, i64)>,
     /// Torque stops used so far.
     pub stops_used: usize,
+    /// What thread cutting remembers.
+    pub thread: Kept,
 }
 
 impl State {
@@ -201,6 +204,7 @@ impl State {
             base: None,
             angle_target: None,
             stops_used: 0,
+            thread: Kept::default(),
         }
     }
 

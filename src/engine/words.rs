@@ -27,12 +27,12 @@ macro_rules! addresses {
 }
 
 addresses! {
-    A "A", B "B", C "C", D "D", E "E", F "F", G "G", H "H", I "I", K "K", L "L", M "M", P "P", Q "Q", S "S",
-    T "T", U "U", W "W", X "X", Z "Z", SB "SB", SA "SA", QA "QA", PZ "PZ", PW "PW", Calrg "CALRG"
+    A "A", B "B", C "C", D "D", E "E", F "F", G "G", H "H", I "I", J "J", K "K", L "L", M "M", P "P", Q "Q",
+    S "S", T "T", U "U", W "W", X "X", Z "Z", SB "SB", SA "SA", QA "QA", PZ "PZ", PW "PW", Calrg "CALRG"
 }
 
 /// Number of addresses.
-const ADDRESSES: usize = 26;
+const ADDRESSES: usize = 27;
 
 impl Address {
     /// Its bit in a set of addresses.

@@ -207,5 +207,6 @@ fn readings(choices: &mut Choices<'_, '_>) -> Readings {
         put_real: choices.pick(&[PutReal::Fixed, PutReal::Shortest]),
         user_alarm_c: choices.pick(&[UserAlarmC::Continues, UserAlarmC::Stops]),
         speed_clamp: choices.pick(&[SpeedClamp::Always, SpeedClamp::CuttingSpeed]),
+        ..Readings::default()
     }
 }

@@ -12,6 +12,7 @@ use crate::fault::Outcome;
 use crate::integer::turn;
 use crate::saddle::{Commands, is_common_g, is_common_m};
 use crate::state::State;
+use crate::thread;
 use crate::vocabulary::rule_ids::*;
 use crate::vocabulary::{Action, FrameCause, InchConversion, Label, RuleId, RuleSet};
 
@@ -23,8 +24,12 @@ pub fn before_motion(plan: &Plan, state: &mut State, emissions: &mut Vec<Emissio
         let event = select(*code, state);
         emissions.extend(event.map(|event| event.rule_if(for_both && is_common_g(*code), AX4_06)));
     }
+    state.thread.select(words, state.modes.get(GGroup::Motion));
     if let Some(number) = words.feed.as_ref().filter(|_| plan.one_shot != Some(4)) {
-        feed::store(number, state)?;
+        feed::store(number, thread::feed_is_lead(plan), words.get('J'), state)?;
+    } else if let (Some(leads), Some(feed)) = (words.get('J'), &mut state.feed) {
+        // E100L-THRD-06: J alone divides the F in force.
+        feed.leads = leads;
     }
     match plan.one_shot {
         Some(50) => zero_shift(plan, state, emissions),
@@ -99,6 +104,10 @@ fn select(code: u16, state: &mut State) -> Option<Emission> {
         0 => G00_01,
         1 => G01_01,
         2 | 3 => CIRC_01,
+        31 => G33_02,
+        32 => G32_01,
+        33 => G33_01,
+        34 | 35 => G34_01,
         64 => DROOP_02,
         65 => DROOP_01,
         90 => ABS_01,

@@ -1,12 +1,13 @@
 //! What a block as a whole must satisfy before anything of it is carried out.
 
 use super::compensation;
+use super::function::every_word_has_a_function;
 use super::machine::check_reference;
 use super::words::Words;
 use crate::controls::e100l::g_codes::{GCode, GGroup, g_code};
 use crate::fault::{Fault, Outcome, fail};
 use crate::state::{Modes, State};
-use crate::syntax::Address;
+use crate::thread;
 use crate::vocabulary::rule_ids::*;
 use crate::vocabulary::{AlarmName, Chamfering, Label, Setup};
 
@@ -37,7 +38,7 @@ pub enum Change {
 }
 
 impl Plan {
-    /// Its motion code: 0 to 3.
+    /// Its motion code: 0 to 3, 31 to 35.
     pub fn motion(&self) -> u16 {
         self.modes.get(GGroup::Motion)
     }
@@ -47,9 +48,19 @@ impl Plan {
         matches!(self.one_shot, Some(75 | 76))
     }
 
+    /// Whether it cuts a thread in a motion mode, G31 to G35.
+    pub fn is_thread(&self) -> bool {
+        self.moves && self.one_shot.is_none() && thread::is_mode(self.motion())
+    }
+
+    /// Whether it is a compound thread cycle.
+    pub fn is_compound(&self) -> bool {
+        matches!(self.one_shot, Some(71 | 72))
+    }
+
     /// Whether it is a motion that modal calls come after (E100L-MODIN-03).
     pub fn triggers(&self) -> bool {
-        self.moves && self.one_shot != Some(22) && self.words.has_any("XZ")
+        self.moves && !matches!(self.one_shot, Some(22 | 71 | 72)) && self.words.has_any("XZ")
     }
 
     /// Whether an angle is all that it says of its end point (E100L-ANG-06).
@@ -84,6 +95,8 @@ pub fn check(words: Words, before: Before, state: &State) -> Outcome<Plan> {
     if (words.has_g(96) || words.has_g(97)) && !has_speed {
         return fail(AlarmName::CuttingSpeedMissing, CSS_03);
     }
+    let is_thread = one_shot.is_none() && thread::is_mode(motion) && is_motion(&words, motion);
+    thread::not_in_constant_speed(&words, modes, is_thread.then_some(motion))?;
     check_reference(&words, modes, setup)?;
     let mut moves = false;
     match one_shot {
@@ -93,6 +106,10 @@ pub fn check(words: Words, before: Before, state: &State) -> Outcome<Plan> {
             moves = true;
         }
         Some(29) => torque_limit(&words, setup)?,
+        Some(code @ (71 | 72)) => {
+            thread::check_compound(code, &words, state)?;
+            moves = true;
+        }
         Some(50) => zero_shift(&words, setup)?,
         Some(code @ (75 | 76)) => {
             chamfer(code, &words, motion, setup)?;
@@ -103,6 +120,11 @@ pub fn check(words: Words, before: Before, state: &State) -> Outcome<Plan> {
             path(&words, motion, before.after_angle, setup)?;
             moves = true;
         }
+        None if is_thread => {
+            thread::check_block(&words, motion, state)?;
+            has_axis_w(&words, setup)?;
+            moves = true;
+        }
         None if is_motion(&words, motion) => {
             path(&words, motion, before.after_angle, setup)?;
             moves = true;
@@ -111,6 +133,7 @@ pub fn check(words: Words, before: Before, state: &State) -> Outcome<Plan> {
     }
     every_word_has_a_function(&words, one_shot, motion, compensation)?;
     let plan = Plan { words, modes, one_shot, compensation, moves };
+    thread::not_in_compensation(&plan, before)?;
     compensation::check(&plan, before, state.c_joined())?;
     Ok(plan)
 }
@@ -232,6 +255,11 @@ fn path(words: &Words, motion: u16, after_angle: bool, setup: &Setup) -> Outcome
     } else {
         arc(words)?
     }
+    has_axis_w(words, setup)
+}
+
+/// E100L-AXIS-01.
+fn has_axis_w(words: &Words, setup: &Setup) -> Outcome<()> {
     if words.get('W').is_some() && !setup.options.w_axis {
         return fail(AlarmName::AxisMissing, AXIS_01);
     }
@@ -241,7 +269,8 @@ fn path(words: &Words, motion: u16, after_angle: bool, setup: &Setup) -> Outcome
 fn is_motion(words: &Words, motion: u16) -> bool {
     words.has_any("XZCWA")
         || words.extended("QA").is_some()
-        || motion >= 2 && (words.has_any("IKL") || words.major_arc())
+        || matches!(motion, 2 | 3) && (words.has_any("IKL") || words.major_arc())
+        || thread::is_mode(motion) && words.has_any("IKLEJ")
 }
 
 /// E100L-DTAP-01: what an angle may stand with.
@@ -277,38 +306,4 @@ fn arc(words: &Words) -> Outcome<()> {
         None if !words.has_any("XZ") => Err(Fault::about(AlarmName::Unspecified, CIRC_07, "circle")),
         None => Ok(()),
     }
-}
-
-/// E100L-ADDR-01: a word that no function of the block takes.
-fn every_word_has_a_function(
-    words: &Words,
-    one_shot: Option<u16>,
-    motion: u16,
-    compensation: Change,
-) -> Outcome<()> {
-    let (letters, extended, calrg): (&[u8], &[&str], bool) = match (one_shot, motion) {
-        (Some(4 | 28), _) => (b"", &[], false),
-        (Some(22), _) => (b"ZWDL", &["PZ", "PW"], false),
-        (Some(29), _) => (b"", &["PZ", "PW"], false),
-        (Some(50), _) => (b"XZCW", &[], false),
-        (Some(_), _) => (b"XZAL", &[], false),
-        // E100L-NRC-23, E100L-NRC-69: the imaginary point.
-        (None, 0 | 1) if compensation != Change::Stays => (b"XZCWAIK", &["QA"], false),
-        (None, 0 | 1) => (b"XZCWA", &["QA"], false),
-        (None, _) => (b"XZIKL", &[], true),
-    };
-    for other in &words.others {
-        let taken = match other.address {
-            None => calrg,
-            Some(Address::Letter(letter)) => b"PST".contains(&letter) || letters.contains(&letter),
-            Some(Address::Extended(name)) => ["SA", "SB"].contains(&name) || extended.contains(&name),
-        };
-        if !taken {
-            let label = other.address.map(|address| address.label());
-            let detail = label.as_ref().map_or("CALRG", |label| label.as_str());
-            let fault = Fault::about(AlarmName::WordWithoutFunction, ADDR_01, detail);
-            return Err(fault.at(other.span.clone()));
-        }
-    }
-    Ok(())
 }

@@ -9,17 +9,19 @@ use crate::state::{Modes, State, StoredFeed};
 use crate::vocabulary::rule_ids::*;
 use crate::vocabulary::{Action, AlarmName, Duration, Feed, FeedRate, FeedUnit, RuleId, RuleSet, UnitSystem};
 
-/// Stores the number of an F word; its range is that of the feed unit in force (E100L-ADDR-01).
-pub fn store(number: &Exact, state: &mut State) -> Outcome<()> {
+/// Stores the number of an F word, and J, which belongs to it (E100L-THRD-06). Its range is that of the feed unit in
+/// force (E100L-ADDR-01); a lead is one per revolution in G94 too (E100L-THRD-04).
+pub fn store(number: &Exact, is_lead: bool, leads: Option<i64>, state: &mut State) -> Outcome<()> {
     let system = state.setup.unit_system;
     let per_minute = number * units::feed_per_minute(system);
     let per_revolution = number * units::length(system);
-    check_range(if state.modes.per_minute() { &per_minute } else { &per_revolution }, system)?;
+    check_range(if state.modes.per_minute() && !is_lead { &per_minute } else { &per_revolution }, system)?;
     let picometres = |nanometres: &Exact| round_narrow(&(nanometres * whole(1_000)));
     state.feed = Some(StoredFeed {
         per_minute: picometres(&per_minute),
         per_revolution: picometres(&per_revolution),
-        given_in: state.modes.get(GGroup::FeedUnit),
+        given_in: if is_lead { 95 } else { state.modes.get(GGroup::FeedUnit) },
+        leads: leads.unwrap_or(1),
     });
     Ok(())
 }

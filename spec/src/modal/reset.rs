@@ -4,6 +4,7 @@ use crate::controls::e100l::g_codes::GGroup;
 use crate::emission::Emission;
 use crate::frame::Amounts;
 use crate::state::State;
+use crate::thread;
 use crate::turret::OwnData;
 use crate::vocabulary::rule_ids::*;
 use crate::vocabulary::{Action, FrameCause, Label, RuleSet, Side};
@@ -20,10 +21,11 @@ const RESET: [(GGroup, RuleSet); 8] = [
     (GGroup::Plane, RuleSet::of(&[MCODE_04, CRC_04])),
 ];
 
-/// Resets the modes, the turret and the zero shift, and without an event the areas and the comment of the user task;
-/// the events of what changes.
+/// Resets the modes, the turret and the zero shift, and without an event the areas and the comment of the user task and
+/// what a thread keeps; the events of what changes.
 pub fn reset(state: &mut State) -> Vec<Emission> {
     state.memory.reset();
+    state.thread = thread::Kept::default();
     let mut emissions = Vec::new();
     for (group, rules) in RESET {
         let (active, initial) = (state.modes.get(group), group.initial());

@@ -45,6 +45,12 @@ pub fn motion_speed(diameter: i64, state: &State) -> Option<MotionSpeed> {
     state.modes.cutting_speed().then(|| speed(diameter, state))
 }
 
+/// The commanded speed of the main spindle while it turns.
+pub fn turning_speed(state: &State) -> Option<MotionSpeed> {
+    let turns = matches!(state.spindle.main, SpindleState::Clockwise | SpindleState::CounterClockwise);
+    turns.then(|| speed(state.reference_x(), state))
+}
+
 /// The speed of the turning main spindle.
 fn speed(diameter: i64, state: &State) -> MotionSpeed {
     let cutting_speed = state.modes.cutting_speed();
@@ -131,8 +137,7 @@ fn gear_range(state: &State) -> (i64, i64) {
 
 /// The event of a main spindle command: its state as it is now.
 pub fn main_event(rules: RuleSet, with_motion: bool, state: &State) -> Emission {
-    let turning = matches!(state.spindle.main, SpindleState::Clockwise | SpindleState::CounterClockwise);
-    let computed = turning.then(|| speed(state.reference_x(), state));
+    let computed = turning_speed(state);
     let cutting_speed = state.modes.cutting_speed();
     let spindle = Spindle {
         spindle: SpindleName::Main,

@@ -28,6 +28,8 @@ pub struct Words {
     pub m: Vec<u16>,
     /// The number of F as it is written.
     pub feed: Option<Exact>,
+    /// The number of J as it is written.
+    pub leads: Option<Exact>,
     /// The other words, and CALRG, in written order.
     pub others: Vec<Other>,
     /// Whether a length was written in inches.
@@ -43,7 +45,7 @@ pub struct Words {
 pub struct Other {
     /// Its address.
     pub address: Option<Address>,
-    /// Its value: nanometres, micro-degrees, thousandths of a revolution per minute (SA), or as it is.
+    /// Its value: nanometres, micro-degrees, picometres (E), thousandths of a revolution per minute (SA), or as it is.
     pub value: i64,
     /// Byte span.
     pub span: Range<u32>,
@@ -149,6 +151,9 @@ fn add(
         }
         _ => amount(address, &given, state.setup)?,
     };
+    if address == Address::Letter(b'J') {
+        words.leads = Some(given.value);
+    }
     words.inch |= state.setup.unit_system.is_inch() && is_length(address);
     words.others.push(Other { address: Some(address), value, span });
     Ok(())
@@ -169,9 +174,12 @@ fn amount(address: Address, given: &Given, setup: &Setup) -> Outcome<i64> {
         Address::Letter(b'A' | b'B') => angle(given, Setup::COORDINATE, setup),
         Address::Letter(b'E') => {
             let limit = whole(units::largest_length(system));
-            within(&(&given.value * units::length(system)), &-limit.clone(), &limit, ADDR_01)?;
-            Ok(0)
+            let exact = &given.value * units::length(system);
+            within(&exact, &-limit.clone(), &limit, ADDR_01)?;
+            Ok(quantity::round_narrow(&(exact * whole(1_000))))
         }
+        Address::Letter(b'J') => whole_number(given, 1, 9_999, ADDR_01),
+        Address::Letter(b'Q') => whole_number(given, 0, 9_999, ADDR_01),
         Address::Letter(b'P') => whole_number(given, 0, 9_999, PSYNC_01),
         Address::Letter(b'S') => whole_number(given, 0, 65_535, SPD_01),
         Address::Extended("SB") => whole_number(given, 0, 65_535, SB_01),

@@ -189,9 +189,7 @@ pub fn standing(c_travel: Option<i64>, state: &State) -> Motion {
         program: position(state.frame.program(), c_joined, w_axis),
         machine: position(state.frame.machine, c_joined, w_axis),
         c_travel: c_travel.map(Angle),
-        tip: None,
-        nose: None,
-        speed: None,
+        ..Motion::default()
     }
 }
 

@@ -9,13 +9,15 @@ mod straight;
 mod target;
 mod torque_skip;
 
+pub use angle::{Inclination, x_at, z_at};
 use chamfer::chamfer;
 pub use element::{
-    Axes, Element, LINEAR, Shape, Tested, Way, carry_out, event, feed_path, standing, with_speed,
+    Axes, Element, LINEAR, Shape, Tested, Way, carry_out, coordinate_readings, coordinate_rules, event,
+    feed_path, standing, with_speed,
 };
 pub use plane::{Point, Vector};
 use straight::straight;
-pub use target::{Ahead, next_block};
+pub use target::{Ahead, End, Origin, line_end, next_block};
 pub use torque_skip::torque_skip;
 
 use crate::fault::Outcome;

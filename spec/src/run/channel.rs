@@ -1,5 +1,6 @@
 //! A channel: a program that is carried out block by block, with the state of the machine, or of the saddle, that it moves.
 
+use super::passes::Cycle;
 use super::reading::{self, Block, Content, Reader};
 use super::statement::Carried;
 use super::{Progress, Texts};
@@ -11,6 +12,7 @@ use crate::path;
 use crate::schedule::Schedule;
 use crate::state::State;
 use crate::task::{Calls, Registration};
+use crate::thread::{self, Compound};
 use crate::turret;
 use crate::vocabulary::rule_ids::*;
 use crate::vocabulary::{Place, Setup, Side};
@@ -23,6 +25,8 @@ pub struct Channel<'a> {
     pub(super) compensation: Compensation,
     /// The schedule program, if the main text is one.
     pub(super) schedule: Option<Schedule>,
+    /// A compound thread cycle of which passes are left.
+    pub(super) cycle: Option<Box<Cycle>>,
     pub(super) setup: &'a Setup,
 }
 
@@ -31,7 +35,9 @@ pub struct Moved {
     /// Its words and modes.
     pub plan: Plan,
     /// Whether it had or computed X or Z.
-    in_plane: bool,
+    pub(super) in_plane: bool,
+    /// The passes that are left of a compound thread cycle.
+    pub passes: Option<Compound>,
 }
 
 impl<'a> Channel<'a> {
@@ -41,14 +47,17 @@ impl<'a> Channel<'a> {
         let (start, schedule) = (texts.main_start(), texts.is_schedule(setup).then(|| Schedule::new(&texts)));
         let reader = Reader::new(texts, setup);
         let calls = Calls::new(start);
-        Self { reader, calls, state, compensation: Compensation::Off, schedule, setup }
+        Self { reader, calls, state, compensation: Compensation::Off, schedule, cycle: None, setup }
     }
 
-    /// Carries out one block: the events that are decided then, in order, each with its place. The place of the
-    /// block is set as soon as it is known.
+    /// Carries out one block, or the next pass of a cycle: the events that are decided then, in order, each with its
+    /// place. The place of the block is set as soon as it is known.
     pub fn block(&mut self, place: &mut Place, decided: &mut Vec<(Place, Emission)>) -> Outcome<Progress> {
         if self.in_schedule() {
             return self.schedule_block(place, decided);
+        }
+        if let Some(cycle) = self.cycle.take() {
+            return self.next_pass(*cycle, place, decided);
         }
         let Some(block) = self.reader.arrive(self.calls.running_mut(), place)? else {
             return Err(reading::end(self.calls.running()));
@@ -64,9 +73,36 @@ impl<'a> Channel<'a> {
         Ok(Progress::Going)
     }
 
+    fn next_pass(
+        &mut self,
+        cycle: Cycle,
+        place: &mut Place,
+        decided: &mut Vec<(Place, Emission)>,
+    ) -> Outcome<Progress> {
+        let Cycle { mut moved, block } = cycle;
+        self.begin_pass(block, place)?;
+        let mut stream = self.compensation.stream(block.place, self.state.side(), decided);
+        let progress =
+            self.pass(&mut moved, &mut stream).and_then(|()| self.go_on(moved, block, &mut stream));
+        stream.close();
+        if progress? == Progress::Ended {
+            return Ok(self.program_ended(decided));
+        }
+        Ok(Progress::Going)
+    }
+
     fn carry_out(&mut self, content: Content, block: Carried, stream: &mut Stream) -> Outcome<Progress> {
         let Some(words) = self.words(content, block, stream)? else { return Ok(Progress::Going) };
         let moved = self.up_to_motion(words, stream)?;
+        self.go_on(moved, block, stream)
+    }
+
+    /// What comes after the motion, if no passes are left.
+    fn go_on(&mut self, moved: Moved, block: Carried, stream: &mut Stream) -> Outcome<Progress> {
+        if moved.passes.is_some() {
+            self.cycle = Some(Box::new(Cycle { moved, block }));
+            return Ok(Progress::Going);
+        }
         self.after_motion(&moved, block, stream)
     }
 
@@ -98,8 +134,11 @@ impl<'a> Channel<'a> {
             // The frame may have changed: a corner of before means nothing now.
             self.state.base = None;
         }
+        if plan.is_compound() {
+            return self.compound(plan, stream);
+        }
         let in_plane = self.motion(&plan, stream)?;
-        Ok(Moved { plan, in_plane })
+        Ok(Moved { plan, in_plane, passes: None })
     }
 
     /// Step 8.
@@ -153,7 +192,12 @@ impl<'a> Channel<'a> {
                 let number = plan.words.feed.clone().unwrap_or_default();
                 dwell = Some(modal::dwell(&number, &self.state)?);
             }
-            Some(22) => path::torque_skip(plan, &mut self.state, &mut stream.emissions)?,
+            Some(22) => {
+                // E100L-G34-05.
+                self.state.thread.chain = false;
+                path::torque_skip(plan, &mut self.state, &mut stream.emissions)?;
+            }
+            None if plan.is_thread() => thread::cut(plan, &mut self.state, &mut stream.emissions)?,
             _ if plan.moves => {
                 let ahead = self.look_ahead(plan)?;
                 elements = path::elements(plan, &ahead, &mut self.state)?;

@@ -97,9 +97,14 @@ impl<'a> Saddles<'a> {
     fn go_on(&mut self, side: Side, place: &mut Place, decided: &mut Vec<(Place, Emission)>) -> Outcome<()> {
         let program = self.enter(side);
         program.go_on(place, decided)?;
+        let in_cycle = program.is_in_cycle();
         if matches!(program.status, Status::Ended) {
             let by_code = program.ended_with.map(|_| side);
             self.ended = (side, by_code.or(self.ended.1));
+        }
+        if in_cycle {
+            // The passes of a block follow each other.
+            self.together.push_front(side);
         }
         Ok(())
     }

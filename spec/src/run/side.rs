@@ -55,6 +55,8 @@ pub struct Rest {
 pub enum Left {
     /// From check 1 on.
     All(Box<Words>),
+    /// From the next pass of a compound thread cycle on.
+    Passes(Box<Moved>),
     /// From step 8 on.
     Step8(Box<Moved>),
 }
@@ -82,6 +84,11 @@ impl<'a> SideProgram<'a> {
     /// Whether it goes on.
     pub fn is_ready(&self) -> bool {
         matches!(self.status, Status::Ready(_))
+    }
+
+    /// Whether it is within a compound thread cycle.
+    pub fn is_in_cycle(&self) -> bool {
+        matches!(self.status, Status::Ready(Some(Rest { left: Left::Passes(_), .. })))
     }
 
     /// Where it waits; nowhere if it is at its end.
@@ -128,8 +135,15 @@ impl<'a> SideProgram<'a> {
     ) -> Outcome<Status> {
         let Rest { block, left } = rest;
         *place = block.place;
+        if matches!(left, Left::Passes(_)) {
+            self.channel.begin_pass(block, place)?;
+        }
         self.with_stream(block.place, decided, |side, stream| match left {
             Left::All(words) => side.checked_and_moved(*words, block, stream),
+            Left::Passes(mut moved) => {
+                side.channel.pass(&mut moved, stream)?;
+                side.moved(*moved, block, stream)
+            }
             Left::Step8(moved) => side.step_8(&moved, stream),
         })
     }
@@ -167,9 +181,16 @@ impl<'a> SideProgram<'a> {
         Ok(Status::Waiting(at, Rest { block, left: Left::All(Box::new(words)) }))
     }
 
-    /// E100L-M100-01: M100 waits behind the motion.
     fn checked_and_moved(&mut self, words: Words, block: Carried, stream: &mut Stream) -> Outcome<Status> {
         let moved = self.channel.up_to_motion(words, stream)?;
+        self.moved(moved, block, stream)
+    }
+
+    /// E100L-M100-01: M100 waits behind the motion.
+    fn moved(&mut self, moved: Moved, block: Carried, stream: &mut Stream) -> Outcome<Status> {
+        if moved.passes.is_some() {
+            return Ok(Status::Ready(Some(Rest { block, left: Left::Passes(Box::new(moved)) })));
+        }
         if !moved.plan.words.m.contains(&100) || !self.channel.state.waits() {
             return self.step_8(&moved, stream);
         }

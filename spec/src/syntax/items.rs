@@ -25,11 +25,10 @@ pub fn items(cursor: &mut Cursor, setup: &Setup) -> Outcome<Vec<Item>> {
 /// The next item of a block of items. E100L-PSYNC-01: P is a word of two saddles alone.
 pub fn next(cursor: &mut Cursor, setup: &Setup) -> Outcome<Option<Item>> {
     let item = any(cursor, setup)?;
-    if let Some(Item { kind: ItemKind::Word(Address::Letter(letter @ (b'P' | b'Q')), _), span }) = &item
-        && !(*letter == b'P' && has_two_saddles(setup))
+    if let Some(Item { kind: ItemKind::Word(Address::Letter(b'P'), _), span }) = &item
+        && !has_two_saddles(setup)
     {
-        let fault = Fault::about(AlarmName::NotModelled, ADDR_01, &char::from(*letter).to_string());
-        return Err(fault.at(span.clone()));
+        return Err(Fault::about(AlarmName::NotModelled, ADDR_01, "P").at(span.clone()));
     }
     Ok(item)
 }

@@ -120,6 +120,9 @@ alarms! {
     TorqueLimitRange "torque_limit_range" None, "torque limit above the parameter";
     TorqueReachedEarly "torque_reached_early" Some(1219), "torque reached during the approach";
     TorqueNotReached "torque_not_reached" Some(1220), "torque not reached";
+    ThreadInConstantSpeed "thread_in_constant_speed" None, "thread cutting at constant cutting speed";
+    ThreadLeadRange "thread_lead_range" None, "lead of a thread out of range";
+    ThreadData "thread_data" None, "impossible data of a thread cycle";
     ChamferNotLinear "chamfer_not_linear" None, "chamfer or rounding outside G01";
     ChamferDisabled "chamfer_disabled" None, "automatic chamfering not enabled";
     ChamferAxes "chamfer_axes" None, "wrong axis travel in a chamfer block";

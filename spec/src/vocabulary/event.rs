@@ -125,6 +125,22 @@ pub enum Action {
         /// Centre Z in program coordinates.
         centre_z: Length,
     },
+    /// Cutting a thread: a straight line whose feed is bound to the turning of the spindle.
+    Thread {
+        /// Where to.
+        #[serde(flatten)]
+        motion: Motion,
+        /// The lead where the motion begins, in millimetres per revolution.
+        lead: FeedRate,
+        /// The axis along which the lead is measured.
+        axis: LeadAxis,
+        /// How much the lead changes per revolution, in millimetres per revolution.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        change: Option<FeedRate>,
+        /// The angle of the spindle at which the thread starts, if it is not zero.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        start: Option<Angle>,
+    },
     /// Waiting.
     Dwell {
         /// How long.
@@ -290,6 +306,54 @@ pub struct Motion {
     /// Speed of the main spindle at the end point, in constant cutting speed mode.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub speed: Option<Speed>,
+    /// Which pass of a cycle it belongs to, from 1.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub pass: Option<u32>,
+    /// What it does in a cycle.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub part: Option<Part>,
+}
+
+/// What a motion does in a cycle.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(rename_all = "snake_case")]
+pub enum Part {
+    /// It goes to where the cut begins.
+    Approach,
+    /// It cuts.
+    Cut,
+    /// It leaves the workpiece while it cuts on: the run-out chamfer of a thread.
+    Exit,
+    /// It leaves the workpiece.
+    Retract,
+    /// It goes back to where the cycle began.
+    Return,
+}
+
+impl Part {
+    /// The name, such as `cut`.
+    #[must_use]
+    pub fn as_str(self) -> &'static str {
+        match self {
+            Self::Approach => "approach",
+            Self::Cut => "cut",
+            Self::Exit => "exit",
+            Self::Retract => "retract",
+            Self::Return => "return",
+        }
+    }
+}
+
+/// The axis along which the lead of a thread is measured.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(rename_all = "snake_case")]
+pub enum LeadAxis {
+    /// X, as a radius or a diameter (reading `feed_length`).
+    X,
+    /// Z.
+    Z,
 }
 
 /// A point of the plane of X and Z.

@@ -102,6 +102,8 @@ features! {
     SystemVariable "system-variable"
     /// Text in another code than seven-bit characters.
     TapeCode "tape-code"
+    /// Thread cutting.
+    Thread "thread"
     /// The time-over check of S, T and M functions.
     TimeOver "time-over"
     /// T words.

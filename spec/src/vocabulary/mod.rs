@@ -23,16 +23,17 @@ mod unit;
 
 pub use alarm::{Alarm, AlarmName};
 pub use event::{
-    Action, CallCause, Ending, Event, Feed, FeedUnit, FrameCause, Motion, PlanePosition, Position,
-    ReleaseCause, Sense, Side, Sink, SpeedLimit, Spindle, SpindleName, SpindleState, Value,
+    Action, CallCause, Ending, Event, Feed, FeedUnit, FrameCause, LeadAxis, Motion, Part, PlanePosition,
+    Position, ReleaseCause, Sense, Side, Sink, SpeedLimit, Spindle, SpindleName, SpindleState, Value,
 };
 pub use feature::Feature;
 pub use label::Label;
 pub use place::Place;
 pub use program_text::ProgramText;
 pub use reading::{
-    ArcOneCoordinate, BarrierPath, ChamferLeg, FeedLength, InchConversion, IncrementalAfterChamfer, PutReal,
-    Reading, ReadingSet, Readings, SpeedClamp, ToolOffsetSign, UserAlarmC,
+    ArcOneCoordinate, BalancedInfeed, BarrierPath, ChamferLeg, FeedLength, InchConversion,
+    IncrementalAfterChamfer, PutReal, Reading, ReadingSet, Readings, SpeedClamp, TaperReference, ThreadFlank,
+    ThreadShift, ToolOffsetSign, UserAlarmC,
 };
 pub use rule::{RuleId, RuleSet};
 pub use setup::{

@@ -5,8 +5,8 @@
 //! number of events.
 
 use super::{
-    Action, Event, Feed, FeedUnit, Label, Motion, Position, Sense, Side, SpeedLimit, Spindle, SpindleName,
-    SpindleState, Value,
+    Action, Event, Feed, FeedUnit, Label, LeadAxis, Motion, Part, Position, Sense, Side, SpeedLimit, Spindle,
+    SpindleName, SpindleState, Value,
 };
 
 /// Writes an event in compact notation, every field of it, its line number, rules and readings last.
@@ -49,6 +49,18 @@ pub fn fields(event: &Event) -> Vec<(&'static str, String)> {
                 .add("cx", centre_x)
                 .add("cz", centre_z)
                 .feed(feed)
+        }
+        Action::Thread { motion, lead, axis, change, start } => {
+            let axis = match axis {
+                LeadAxis::X => "x",
+                LeadAxis::Z => "z",
+            };
+            list.kind("thread")
+                .motion(motion)
+                .add("lead", lead)
+                .add("axis", &axis)
+                .add_some("change", change.as_ref())
+                .add_some("start", start.as_ref())
         }
         Action::Dwell { time } => list.kind("dwell").add("time", time),
         Action::Spindle(spindle) => list.spindle(spindle),
@@ -174,12 +186,13 @@ impl Fields {
     }
 
     fn motion(&mut self, motion: &Motion) -> &mut Self {
-        let Motion { program, machine, tip, nose, c_travel, speed } = motion;
+        let Motion { program, machine, tip, nose, c_travel, speed, pass, part } = motion;
         self.position(program, ["x", "z", "c", "w"]).position(machine, ["mx", "mz", "mc", "mw"]);
         self.add_some("tx", tip.map(|tip| tip.x).as_ref()).add_some("tz", tip.map(|tip| tip.z).as_ref());
         self.add_some("nx", nose.map(|nose| nose.x).as_ref())
             .add_some("nz", nose.map(|nose| nose.z).as_ref());
-        self.add_some("c_travel", c_travel.as_ref()).add_some("speed", speed.as_ref())
+        self.add_some("c_travel", c_travel.as_ref()).add_some("speed", speed.as_ref());
+        self.add_some("pass", pass.as_ref()).add_some("part", part.map(Part::as_str).as_ref())
     }
 
     fn position(&mut self, position: &Position, keys: [&'static str; 4]) -> &mut Self {

@@ -109,6 +109,34 @@ readings! {
         /// It stops the program.
         Stops "stops"
     }
+    /// E100L-G33-05: which end of a tapered thread has the level that is programmed.
+    taper_reference: TaperReference {
+        /// That where the thread starts.
+        #[default] Start "start",
+        /// That where it ends.
+        End "end"
+    }
+    /// E100L-G33-07: the sign of the shift of a thread's start.
+    thread_shift: ThreadShift {
+        /// Positive toward the end of the thread.
+        #[default] TowardEnd "toward_end",
+        /// That of the coordinate.
+        Coordinate "coordinate"
+    }
+    /// E100L-TMOD-03: to which side M32 shifts the passes.
+    thread_flank: ThreadFlank {
+        /// To the negative side of the lead axis; M34 to the positive one.
+        #[default] Negative "negative",
+        /// To the positive side; M34 to the negative one.
+        Positive "positive"
+    }
+    /// E100L-TINF-06, E100L-TINF-07: the infeed of M75 where the manual's formula does not serve.
+    balanced_infeed: BalancedInfeed {
+        /// It is refused.
+        #[default] Refused "refused",
+        /// Depths that take equal areas.
+        EqualArea "equal_area"
+    }
     /// E100L-SMAX-02: where the clamp of `G50 S` acts.
     speed_clamp: SpeedClamp {
         /// On every spindle speed.
@@ -120,7 +148,7 @@ readings! {
 
 /// The readings that an event depends on.
 #[derive(Clone, Copy, PartialEq, Eq, Default)]
-pub struct ReadingSet(u32);
+pub struct ReadingSet(u64);
 
 impl ReadingSet {
     /// Whether no reading is named.

@@ -259,9 +259,7 @@ impl Interpreter<'_> {
             program: self.position(x, z, |axis| self.state.program(axis)),
             machine: self.position(self.state.mirror * machine[X], machine[Z], |axis| machine[axis]),
             c_travel: turn.map(Angle),
-            speed: None,
-            tip: None,
-            nose: None,
+            ..Motion::default()
         }
     }
 

@@ -142,6 +142,11 @@ impl<'a> Task<'a> {
         self.steps = steps;
     }
 
+    /// Begins a pass of a compound thread cycle, which is a step of the run; false if none is left (E100L-GOTO-03).
+    pub fn count_pass(&mut self) -> bool {
+        self.steps.take(1)
+    }
+
     /// A text by its number.
     pub fn text(&self, number: usize) -> &'a [u8] {
         self.programs.as_ref().map_or(self.main, |programs| programs.text(number))

@@ -3,7 +3,7 @@
 /// Groups of G codes; one code a group may stand in a block, and modal groups keep theirs.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub enum GGroup {
-    /// G00 G01 G02 G03.
+    /// G00 G01 G02 G03 G31 G32 G33 G34 G35.
     Motion,
     /// G17 G18 G119.
     Plane,
@@ -21,7 +21,7 @@ pub enum GGroup {
     Droop,
     /// G13 G14.
     Turret,
-    /// G04 G22 G28 G29 G50 G75 G76: act in their block only.
+    /// G04 G22 G28 G29 G50 G71 G72 G75 G76: act in their block only.
     OneShot,
 }
 
@@ -89,8 +89,8 @@ pub enum GCode {
 /// Looks a G code up.
 pub fn g_code(code: u16) -> GCode {
     let group = match code {
-        0..=3 => GGroup::Motion,
-        4 | 22 | 28 | 29 | 50 | 75 | 76 => GGroup::OneShot,
+        0..=3 | 31..=35 => GGroup::Motion,
+        4 | 22 | 28 | 29 | 50 | 71 | 72 | 75 | 76 => GGroup::OneShot,
         13 | 14 => GGroup::Turret,
         17 | 18 | 119 => GGroup::Plane,
         40..=42 => GGroup::Compensation,
@@ -102,7 +102,7 @@ pub fn g_code(code: u16) -> GCode {
         19 | 20 | 21 | 30 | 36 | 37 | 62 | 100 | 107 | 108 | 122 | 123 | 140..=143 | 152 | 191 => {
             return GCode::Unspecified;
         }
-        31..=35 | 71..=74 | 77 | 78 | 80..=88 | 101..=103 | 112 | 113 | 132 | 133 => return GCode::Later,
+        73 | 74 | 77 | 78 | 80..=88 | 101..=103 | 112 | 113 | 132 | 133 => return GCode::Later,
         136..=138 | 178..=190 | 312 | 313 => return GCode::Later,
         161..=171 | 205..=214 => return GCode::Macro,
         _ => return GCode::Unassigned,

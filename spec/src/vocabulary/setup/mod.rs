@@ -205,6 +205,10 @@ table! {
         call_depth: u8 = 8,
         /// (RS232C) what ends a transmission: stop bit check 1 or 0.
         end_code: EndCode = EndCode::Percent,
+        /// Rate of run-out chamfer and retraction of threads, in 0.001 mm per 12.8 ms, 1 to 9999.
+        thread_chamfer_feed: u16 = 640,
+        /// Infeed pattern of M75, 3 or 4.
+        m75_pattern: u8 = 3,
         /// (OTHER FUNCTION 2) upper limit of the torque of G29, percent, 1 to 100.
         torque_limit_upper: u8 = 100,
         /// (OTHER FUNCTION 2) torque monitoring delay of G22 in units of 10 ms, 0 to 9999.

@@ -94,6 +94,13 @@ impl Setup {
         require((0..=1_000_000).contains(&tolerance.0), || {
             format!("parameters.circular_radius_tolerance is {tolerance}, must be 0 to 1")
         })?;
+        let rate = parameters.thread_chamfer_feed;
+        require((1..=9999).contains(&rate), || {
+            format!("parameters.thread_chamfer_feed is {rate}, must be 1 to 9999")
+        })?;
+        require([3, 4].contains(&parameters.m75_pattern), || {
+            format!("parameters.m75_pattern is {}, must be 3 or 4", parameters.m75_pattern)
+        })?;
         require((1..=126).contains(&parameters.call_depth), || {
             format!("parameters.call_depth is {}, must be 1 to 126", parameters.call_depth)
         })
