@@ -51,8 +51,14 @@ pub(crate) fn choose(choices: &mut Choices<'_, '_>, setup: &Setup) -> Fault {
     if !special.is_empty() && choices.chance(20) {
         choices.pick(&special)
     } else {
-        choices.pick(AlarmName::ALL)
+        let generated: Vec<_> = AlarmName::ALL.iter().copied().filter(is_generated).collect();
+        choices.pick(&generated)
     }
+}
+
+/// Whether programs are made to raise it: not the alarms of thread cutting, which is not generated yet.
+fn is_generated(fault: &Fault) -> bool {
+    !matches!(fault, Fault::ThreadInConstantSpeed | Fault::ThreadLeadRange | Fault::ThreadData)
 }
 
 /// The alarms that need something unusual of the set-up, where this one has it.
