@@ -13,11 +13,13 @@ pub enum Kind {
     Linear,
     /// An arc.
     Arc,
+    /// A thread.
+    Thread,
 }
 
 impl Kind {
     /// Every kind, in the order of the legend.
-    pub const ALL: [Self; 3] = [Self::Rapid, Self::Linear, Self::Arc];
+    pub const ALL: [Self; 4] = [Self::Rapid, Self::Linear, Self::Arc, Self::Thread];
 
     /// Its name, which is its class in the drawing too.
     #[must_use]
@@ -26,6 +28,7 @@ impl Kind {
             Self::Rapid => "rapid",
             Self::Linear => "linear",
             Self::Arc => "arc",
+            Self::Thread => "thread",
         }
     }
 }
@@ -87,6 +90,7 @@ impl Plan {
         match &event.action {
             Action::Rapid { motion } => self.motion(event, Kind::Rapid, motion, None),
             Action::Linear { motion, .. } => self.motion(event, Kind::Linear, motion, None),
+            Action::Thread { motion, .. } => self.motion(event, Kind::Thread, motion, None),
             Action::Arc { motion, sense, centre_x, centre_z, .. } => {
                 let sense = if *sense == Sense::Clockwise { -1.0 } else { 1.0 };
                 let arc = Arc { centre: Point::of(*centre_z, *centre_x), sense };
@@ -163,6 +167,14 @@ mod tests {
         let last = plan.segments[1].way;
         assert_eq!((last.from, last.to), (Point::new(0.0, 20.0), Point::new(0.0, 30.0)));
         assert_eq!(plan.alarm, Some(last.to));
+    }
+
+    #[test]
+    fn a_thread_is_drawn_and_leads_back() {
+        let plan = plan("G00 X60 Z10\nM03 S100\nG33 X50 Z-20 F2\nM02\n", "");
+        let kinds: Vec<_> = plan.segments.iter().map(|segment| segment.kind).collect();
+        assert_eq!(kinds, [Kind::Rapid, Kind::Rapid, Kind::Thread, Kind::Linear, Kind::Rapid]);
+        assert_eq!(plan.segments[4].way.to, Point::new(10.0, 30.0));
     }
 
     /// Turret B goes on from where the saddle stands: at X-20 of the machine it is at X20.
