@@ -96,6 +96,17 @@ pub struct Arc {
 }
 
 impl Way {
+    /// Its path data in SVG without the beginning, at so many pixels a millimetre; `pair` writes where a point lies.
+    #[must_use]
+    pub fn stretch(&self, scale: f64, decimals: usize, pair: impl Fn(Point) -> String) -> String {
+        let Some(arc) = self.arc else { return format!("L{}", pair(self.to)) };
+        let (start, end) = (self.from - arc.centre, self.to - arc.centre);
+        let radius = number((start.length() + end.length()) / 2.0 * scale, decimals);
+        let large = u8::from(arc.sense * start.cross(end) < 0.0);
+        let clockwise = u8::from(arc.sense < 0.0);
+        format!("A{radius} {radius} 0 {large} {clockwise} {}", pair(self.to))
+    }
+
     /// Whether it leads anywhere else.
     #[must_use]
     pub fn has_length(&self) -> bool {
@@ -115,6 +126,14 @@ impl Way {
         };
         Some(Self { from: shifted(self.from)?, to: shifted(self.to)?, arc: self.arc })
     }
+}
+
+/// A number rounded to so many decimals, without superfluous zeros.
+#[must_use]
+pub fn number(value: f64, decimals: usize) -> String {
+    let text = format!("{value:.decimals$}");
+    let text = if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { &text };
+    if text == "-0" { "0".to_owned() } else { text.to_owned() }
 }
 
 #[cfg(test)]

@@ -50,10 +50,15 @@ pub fn prose(markdown: &str) -> Markup {
     }
 }
 
-/// A page with a title and a body. The title stands in the head only.
+/// A page with a title and a body in the look of the reports. The title stands in the head only.
 #[must_use]
 pub fn page(title: &str, body: &Markup) -> String {
-    let style = PreEscaped(STYLE);
+    page_with(title, STYLE, body)
+}
+
+/// A page with a title, a look of its own and a body.
+#[must_use]
+pub fn page_with(title: &str, style: &str, body: &Markup) -> String {
     html! {
         (DOCTYPE)
         html lang="en" {
@@ -61,7 +66,7 @@ pub fn page(title: &str, body: &Markup) -> String {
                 meta charset="utf-8";
                 meta name="viewport" content="width=device-width, initial-scale=1";
                 title { (title) }
-                style { (style) }
+                style { (PreEscaped(style)) }
             }
             body { (body) }
         }

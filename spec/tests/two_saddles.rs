@@ -1,8 +1,11 @@
 //! Two saddles: what the examples of the rules do not show.
 
-use turnspec_oracle::vocabulary::notation::render;
+mod support;
+
 use turnspec_oracle::vocabulary::{AlarmName, Event, Length, MachineType, NoseRadius, Setup};
 use turnspec_oracle::{Run, check};
+
+use support::{kind, trace, value};
 
 fn setup() -> Setup {
     let mut setup = Setup::default();
@@ -10,23 +13,10 @@ fn setup() -> Setup {
     setup
 }
 
-fn trace(program: &str, setup: &Setup) -> Vec<String> {
-    let mut trace = Vec::new();
-    turnspec_oracle::run(program.as_bytes(), setup, &mut |event: &Event| trace.push(render(event)));
-    trace
-}
-
-fn value<'e>(event: &'e str, key: &str) -> &'e str {
-    event.split(' ').find_map(|word| word.strip_prefix(key)?.strip_prefix('=')).unwrap_or("-")
-}
-
 /// Kind, saddle and line of each event.
 fn outline(program: &str, setup: &Setup) -> Vec<String> {
     let events = trace(program, setup);
-    let of = |event: &String| {
-        let kind = event.split(' ').next().unwrap_or_default();
-        format!("{kind} {} {}", value(event, "saddle"), value(event, "line"))
-    };
+    let of = |event: &String| format!("{} {} {}", kind(event), value(event, "saddle"), value(event, "line"));
     events.iter().map(of).collect()
 }
 

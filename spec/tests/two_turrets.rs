@@ -1,8 +1,11 @@
 //! Two turrets on one saddle: what the examples of the rules do not show.
 
+mod support;
+
 use turnspec_oracle::check;
-use turnspec_oracle::vocabulary::notation::render;
-use turnspec_oracle::vocabulary::{Event, Length, MachineType, NoseRadius, ProgramText, Setup};
+use turnspec_oracle::vocabulary::{Length, MachineType, NoseRadius, ProgramText, Setup};
+
+use support::{kind, trace, value};
 
 fn setup() -> Setup {
     let mut setup = Setup::default();
@@ -10,21 +13,6 @@ fn setup() -> Setup {
     let nose = NoseRadius { number: 1, x: Length(800_000), z: Length(800_000) };
     setup.turret_b.nose_radius = vec![nose];
     setup
-}
-
-fn trace(program: &str, setup: &Setup) -> Vec<String> {
-    let mut trace = Vec::new();
-    turnspec_oracle::run(program.as_bytes(), setup, &mut |event: &Event| trace.push(render(event)));
-    trace
-}
-
-/// The value of a key of an event; `-` if it is not there.
-fn value<'e>(event: &'e str, key: &str) -> &'e str {
-    event.split(' ').find_map(|word| word.strip_prefix(key)?.strip_prefix('=')).unwrap_or("-")
-}
-
-fn kind(event: &str) -> &str {
-    event.split(' ').next().unwrap_or_default()
 }
 
 /// E100L-MIRR-04: what M02 releases belongs to the turret that has moved, whatever the reset selects then.

@@ -8,6 +8,8 @@ use turnspec_oracle::Run;
 use turnspec_oracle::vocabulary::notation::value_text;
 use turnspec_oracle::vocabulary::{Action, Event, Place, Side};
 
+use super::words::stop_point;
+
 /// What the events of a run tell about where it stands.
 #[derive(Default)]
 pub struct Told {
@@ -28,8 +30,7 @@ impl Told {
         let Some(side) = event.saddle else { return };
         let doing = match &event.action {
             Action::Wait { p, code } => {
-                let stop = p.map_or_else(|| code.to_string(), |p| format!("P{p}"));
-                format!("waits at {stop}, {}", place(&event.block))
+                format!("waits at {}, {}", stop_point(*p, code), place(&event.block))
             }
             Action::SideEnd { .. } => format!("at its end, {}", place(&event.block)),
             _ => format!("at {}", place(&event.block)),

@@ -76,7 +76,7 @@ pub fn alarm_words(alarm: &Alarm) -> String {
 }
 
 /// Where a saddle waits: P with its value, or the code.
-fn stop_point(p: Option<u16>, code: &Label) -> String {
+pub fn stop_point(p: Option<u16>, code: &Label) -> String {
     p.map_or_else(|| code.to_string(), |p| format!("P{p}"))
 }
 

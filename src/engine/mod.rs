@@ -158,10 +158,17 @@ impl<'a> Interpreter<'a> {
     /// Prepares a run of a program on a valid set-up.
     #[must_use]
     pub fn new(program: &'a [u8], setup: &'a Setup) -> Self {
-        let mut interpreter = Self::one(program, setup);
         if setup.machine.r#type == MachineType::TwoSaddles {
-            interpreter.saddles = Some(Box::new(Saddles::new(program, setup)));
-        } else if setup.schedule && !interpreter.reader.has_header() {
+            let saddles = Some(Box::new(Saddles::new(program, setup)));
+            return Self { saddles, ..Self::one(program, setup) };
+        }
+        Self::single(program, setup)
+    }
+
+    /// The run of a whole text that is not divided.
+    fn single(program: &'a [u8], setup: &'a Setup) -> Self {
+        let mut interpreter = Self::one(program, setup);
+        if setup.schedule && !interpreter.reader.has_header() {
             interpreter.begin_schedule();
         }
         interpreter
@@ -237,7 +244,7 @@ impl<'a> Interpreter<'a> {
     /// How often exact integers had to decide because `f64` left a result in doubt.
     #[must_use]
     pub fn slow_paths(&self) -> SlowPaths {
-        self.slow
+        self.saddles.as_ref().map_or(self.slow, |saddles| saddles.slow_paths())
     }
 
     fn next_block(&mut self, slot: &mut Slot, sink: &mut impl Sink) -> Result<Option<Ending>, Fault> {
@@ -322,10 +329,7 @@ pub fn run(program: &[u8], setup: &Setup, sink: &mut impl Sink) -> Ending {
 /// evaluated or carried out.
 #[must_use]
 pub fn count_blocks(program: &[u8], setup: &Setup) -> u64 {
-    let mut interpreter = Interpreter::one(program, setup);
-    if setup.schedule && !interpreter.reader.has_header() {
-        interpreter.begin_schedule();
-    }
+    let mut interpreter = Interpreter::single(program, setup);
     interpreter.task.count_no_steps();
     let mut slot = Slot::default();
     let mut blocks = 0;

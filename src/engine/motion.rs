@@ -163,7 +163,7 @@ impl Interpreter<'_> {
         let program_x = self.state.program(X);
         let mut motion = Motion {
             program: self.position(program_x, self.state.program(Z), |axis| self.state.program(axis)),
-            machine: self.position(self.state.shown_mirror() * end[X], end[Z], |axis| end[axis]),
+            machine: self.position(self.state.machine_x(end[X]), end[Z], |axis| end[axis]),
             c_travel: turn.map(|turn| Angle(turn.travel)),
             ..Motion::default()
         };

@@ -242,10 +242,10 @@ impl State {
         }
     }
 
-    /// The factor between [`Self::machine`] and machine X.
+    /// Machine X at a place of [`Self::machine`].
     #[inline]
-    pub fn shown_mirror(&self) -> i64 {
-        if planted::is(Bug::MirrorForgotten) { 1 } else { self.mirror }
+    pub fn machine_x(&self, place: i64) -> i64 {
+        if planted::is(Bug::MirrorForgotten) { place } else { self.mirror * place }
     }
 
     /// The unit of the feed mode in force.

@@ -81,7 +81,7 @@ impl Interpreter<'_> {
             SystemVariable::PitchError(axis) => entry(&state.pitch_errors, axis),
             SystemVariable::Pitch(axis) => state.pitches[usize::from(axis == Axis::Z)],
             SystemVariable::Commanded(axis) => state.program(axis as usize),
-            SystemVariable::Actual(Axis::X) => state.mirror * state.machine[X],
+            SystemVariable::Actual(Axis::X) => state.machine_x(state.machine[X]),
             SystemVariable::Actual(axis) => state.machine[axis as usize],
             SystemVariable::ActiveOffset(axis) => state.active_offset()[usize::from(axis == Axis::Z)],
             SystemVariable::ToolData(data) => {

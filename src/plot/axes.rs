@@ -2,7 +2,7 @@
 
 use maud::{Markup, html};
 
-use turnspec_conformance::geometry::Point;
+use turnspec_conformance::geometry::{self, Point};
 
 use super::view::{View, WIDTH, number};
 
@@ -51,10 +51,8 @@ fn ticks(low: f64, high: f64, apart: f64) -> Vec<f64> {
 }
 
 fn label(value: f64) -> String {
-    let text = format!("{value:.6}");
-    let text = text.trim_end_matches('0').trim_end_matches('.');
     // The sign of a number is as wide as a digit.
-    if text == "-0" { "0".to_owned() } else { text.replace('-', "\u{2212}") }
+    geometry::number(value, 6).replace('-', "\u{2212}")
 }
 
 #[cfg(test)]

@@ -1,10 +1,11 @@
 //! A page with a drawing, in which each motion says its block, its event and its rules.
 
-use maud::{DOCTYPE, PreEscaped, html};
+use maud::{PreEscaped, html};
 use serde::Serialize;
+use turnspec_conformance::page::page_with;
 
 use super::path::Plan;
-use super::sheet::{STYLE, sheet};
+use super::sheet::sheet;
 use super::view::Extent;
 
 /// What is told about an event.
@@ -29,33 +30,22 @@ pub struct Told {
 pub fn page(title: &str, plan: &Plan, extent: Extent, told: &[Told]) -> serde_json::Result<String> {
     // `</script>` in a program must not end the script.
     let data = serde_json::to_string(told)?.replace('<', "\\u003c");
-    let text = html! {
-        (DOCTYPE)
-        html lang="en" {
-            head {
-                meta charset="utf-8";
-                meta name="viewport" content="width=device-width, initial-scale=1";
-                title { (title) }
-                style { (PreEscaped(STYLE)) (PreEscaped(include_str!("page.css"))) }
-            }
-            body {
-                main {
-                    div.sheet { (sheet(title, plan, extent, false)) }
-                    section aria-live="polite" {
-                        p.hint { "Point at a motion, or step through them with the arrow keys." }
-                        div.told hidden {
-                            p { span.line {} code.block {} }
-                            p.event {}
-                            ul.rules {}
-                        }
-                    }
+    let body = html! {
+        main {
+            div.sheet { (sheet(title, plan, extent, false)) }
+            section aria-live="polite" {
+                p.hint { "Point at a motion, or step through them with the arrow keys." }
+                div.told hidden {
+                    p { span.line {} code.block {} }
+                    p.event {}
+                    ul.rules {}
                 }
-                script id="told" type="application/json" { (PreEscaped(data)) }
-                script { (PreEscaped(include_str!("page.js"))) }
             }
         }
+        script id="told" type="application/json" { (PreEscaped(data)) }
+        script { (PreEscaped(include_str!("page.js"))) }
     };
-    Ok(text.into_string())
+    Ok(page_with(title, concat!(include_str!("style.css"), include_str!("page.css")), &body))
 }
 
 #[cfg(test)]

@@ -9,7 +9,7 @@ use super::path::{Kind, Plan, Segment};
 use super::view::{Extent, View, WIDTH, number};
 
 /// The look of a sheet.
-pub const STYLE: &str = include_str!("style.css");
+const STYLE: &str = include_str!("style.css");
 /// Room for titles and numbers beside the plot in pixels: left, above, right, below.
 const MARGIN: [f64; 4] = [76.0, 56.0, 24.0, 84.0];
 

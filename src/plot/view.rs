@@ -1,6 +1,6 @@
 //! What part of the plane is drawn, at what scale, and where its points lie on the sheet.
 
-use turnspec_conformance::geometry::{Point, Way};
+use turnspec_conformance::geometry::{self, Point, Way};
 
 use super::path::{Kind, Plan};
 
@@ -10,6 +10,8 @@ pub const WIDTH: f64 = 960.0;
 const HEIGHTS: (f64, f64) = (240.0, 720.0);
 /// Room round what is drawn, as a share of the width.
 const ROOM: f64 = 0.04;
+/// Decimals of a number of pixels.
+const DECIMALS: usize = 2;
 
 /// Which motions have to be on the sheet.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
@@ -58,14 +60,7 @@ impl View {
 
     /// Path data of a way.
     pub fn data(&self, way: &Way) -> String {
-        let from = self.pair(way.from);
-        let to = self.pair(way.to);
-        let Some(arc) = way.arc else { return format!("M{from}L{to}") };
-        let (start, end) = (way.from - arc.centre, way.to - arc.centre);
-        let radius = number((start.length() + end.length()) / 2.0 * self.scale);
-        let large = u8::from(arc.sense * start.cross(end) < 0.0);
-        let clockwise = u8::from(arc.sense < 0.0);
-        format!("M{from}A{radius} {radius} 0 {large} {clockwise} {to}")
+        format!("M{}{}", self.pair(way.from), way.stretch(self.scale, DECIMALS, |point| self.pair(point)))
     }
 
     fn pair(&self, point: Point) -> String {
@@ -115,9 +110,7 @@ fn outline(way: &Way) -> Vec<Point> {
 
 /// A number of pixels, rounded to 0.01, without superfluous zeros.
 pub fn number(value: f64) -> String {
-    let text = format!("{value:.2}");
-    let text = text.trim_end_matches('0').trim_end_matches('.');
-    if text == "-0" { "0".to_owned() } else { text.to_owned() }
+    geometry::number(value, DECIMALS)
 }
 
 #[cfg(test)]

@@ -1,7 +1,7 @@
 //! What part of the plane a drawing shows, and where a point of it lies on the sheet.
 
 use super::scene::{Scene, Stand};
-use crate::geometry::{Point, Way};
+use crate::geometry::{self, Point, Way};
 
 /// Width of the plot in pixels.
 pub const WIDTH: f64 = 480.0;
@@ -11,6 +11,8 @@ pub const HEIGHT: f64 = 300.0;
 const ROOM: f64 = 1.4;
 /// Room for names at the margin, in pixels.
 const MARGIN: f64 = 36.0;
+/// Decimals of a number of pixels.
+const DECIMALS: usize = 3;
 
 /// A window of the plane, at one scale in Z and X.
 pub struct View {
@@ -67,19 +69,10 @@ impl View {
             if end != Some(way.from) {
                 data += &format!("M{}", self.pair(way.from));
             }
-            data += &self.stretch(&way);
+            data += &way.stretch(self.scale, DECIMALS, |point| self.pair(point));
             end = Some(way.to);
         }
         data
-    }
-
-    fn stretch(&self, way: &Way) -> String {
-        let Some(arc) = way.arc else { return format!("L{}", self.pair(way.to)) };
-        let (start, end) = (way.from - arc.centre, way.to - arc.centre);
-        let radius = number((start.length() + end.length()) / 2.0 * self.scale);
-        let large = u8::from(arc.sense * start.cross(end) < 0.0);
-        let clockwise = u8::from(arc.sense < 0.0);
-        format!("A{radius} {radius} 0 {large} {clockwise} {}", self.pair(way.to))
     }
 
     fn pair(&self, point: Point) -> String {
@@ -90,9 +83,7 @@ impl View {
 
 /// A number of pixels, rounded to 0.001, without superfluous zeros.
 pub fn number(value: f64) -> String {
-    let text = format!("{value:.3}");
-    let text = text.trim_end_matches('0').trim_end_matches('.');
-    if text == "-0" { "0".to_owned() } else { text.to_owned() }
+    geometry::number(value, DECIMALS)
 }
 
 #[cfg(test)]

@@ -205,7 +205,7 @@ impl Interpreter<'_> {
         displace(&mut start, before);
         displace(&mut end, self.compensation.displacement);
         let mut motion = self.motion_here(turn);
-        motion.machine.x = Length(self.state.mirror * end[X]);
+        motion.machine.x = Length(self.state.machine_x(end[X]));
         motion.machine.z = Length(end[Z]);
         motion.speed = self.motion_speed(motion.program.x.0, feed.is_some(), &mut cites, &mut readings);
         let way = (&start, &end, turn);
@@ -257,7 +257,7 @@ impl Interpreter<'_> {
         let Point { x, z } = self.present();
         Motion {
             program: self.position(x, z, |axis| self.state.program(axis)),
-            machine: self.position(self.state.mirror * machine[X], machine[Z], |axis| machine[axis]),
+            machine: self.position(self.state.machine_x(machine[X]), machine[Z], |axis| machine[axis]),
             c_travel: turn.map(Angle),
             ..Motion::default()
         }

@@ -193,7 +193,7 @@ impl Interpreter<'_> {
             check_limits(end, &waiting.limits, self.state.mirror)?;
         }
         let nose = tip.plus(self.compensation.last.to_centre);
-        motion.machine.x = Length(self.state.mirror * end[X]);
+        motion.machine.x = Length(self.state.machine_x(end[X]));
         motion.machine.z = Length(end[Z]);
         motion.tip = Some(position(tip));
         motion.nose = Some(position(nose));

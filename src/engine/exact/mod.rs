@@ -60,6 +60,17 @@ pub struct SlowPaths {
     pub functions: u64,
 }
 
+impl SlowPaths {
+    /// The sums of two counts.
+    pub fn and(self, other: Self) -> Self {
+        Self {
+            roundings: self.roundings + other.roundings,
+            signs: self.signs + other.signs,
+            functions: self.functions + other.functions,
+        }
+    }
+}
+
 /// Binary digits after the point, one attempt after the other.
 const DIGITS: [usize; 3] = [256, 512, 1024];
 

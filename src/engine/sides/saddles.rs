@@ -6,13 +6,13 @@ use turnspec_oracle::vocabulary::{
     Action, AlarmName, Ending, Label, Place, ReleaseCause, RuleId, RuleSet, Setup, Side, Sink,
 };
 
-use crate::engine::Interpreter;
 use crate::engine::fault::Fault;
 use crate::engine::names::Names;
 use crate::engine::planted::{self, Bug};
 use crate::engine::slot::Slot;
 use crate::engine::state::{State, X};
 use crate::engine::task::Turn;
+use crate::engine::{Interpreter, SlowPaths};
 
 use super::sections::Sections;
 use super::side::{Common, CommonWords, SideRun, Status, Stop};
@@ -82,6 +82,12 @@ impl<'a> Saddles<'a> {
                 }
             }
         }
+    }
+
+    /// How often exact integers had to decide, on both sides.
+    pub fn slow_paths(&self) -> SlowPaths {
+        let [a, b] = self.sides.each_ref().map(Interpreter::slow_paths);
+        a.and(b)
     }
 
     fn side(&mut self, side: usize) -> &mut SideRun {

@@ -26,9 +26,10 @@ pub enum Stop {
 }
 
 /// What a side can do.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub enum Status {
     /// It goes on.
+    #[default]
     Ready,
     /// It waits.
     At(Stop),
@@ -37,9 +38,10 @@ pub enum Status {
 }
 
 /// Who carries out the common words of a block.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub enum Common {
     /// This side alone.
+    #[default]
     Own,
     /// This side, for both.
     ForBoth,
@@ -48,9 +50,10 @@ pub enum Common {
 }
 
 /// How far the block is that waits.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 enum Resume {
     /// Nothing waits.
+    #[default]
     Nothing,
     /// The block comes to its checks.
     Checks,
@@ -59,7 +62,7 @@ enum Resume {
 }
 
 /// What a side has besides its state.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub struct SideRun {
     pub status: Status,
     /// Whether the other side is at its end and has released this one.
@@ -70,19 +73,6 @@ pub struct SideRun {
     pub last: Place,
     /// M02 or M30, with which the program has ended; 0 without.
     pub code: u16,
-}
-
-impl Default for SideRun {
-    fn default() -> Self {
-        Self {
-            status: Status::Ready,
-            alone: false,
-            common: Common::Own,
-            resume: Resume::Nothing,
-            last: Place::default(),
-            code: 0,
-        }
-    }
 }
 
 impl State {
@@ -109,7 +99,6 @@ impl State {
     /// Takes over what both sides have in common from the side that ran last.
     pub fn take_common(&mut self, other: &Self) {
         self.spindle = other.spindle;
-        self.spindle_side = other.spindle_side;
         self.speed = other.speed;
         self.surface = other.surface;
         self.clamp = other.clamp;

@@ -14,7 +14,6 @@ use crate::engine::fault::Fault;
 use crate::engine::state::{X, Z};
 use crate::engine::words::{Address, Words};
 
-use super::axis::Axes;
 use super::cut::{PassCites, taper_rule};
 use super::depths::{Depth, Depths, Heights, Sequence};
 use super::infeed::{Infeed, Pattern};
@@ -46,7 +45,6 @@ impl Interpreter<'_> {
         one_shot: OneShot,
         sink: &mut impl Sink,
     ) -> Result<(), Fault> {
-        self.state.base = None;
         self.state.thread.end_chain();
         let axis = if one_shot == OneShot::ThreadAlong { LeadAxis::Z } else { LeadAxis::X };
         let compound = self.compound(words, axis)?;
@@ -67,8 +65,8 @@ impl Interpreter<'_> {
 
     /// The data of the cycle, and what is tested before its first pass.
     fn compound(&mut self, words: &Words, axis: LeadAxis) -> Result<Compound, Fault> {
-        let lead = self.lead()?;
-        let axes = Axes { lead: axis, reading: self.setup.readings.feed_length };
+        let lead = self.begin_thread()?;
+        let axes = self.thread_axes(axis);
         let word = |address| words.get(address).unwrap_or_default();
         let place =
             |axis, address| coordinate(self.state.program(axis), word(address), self.state.incremental);

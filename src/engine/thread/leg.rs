@@ -9,7 +9,6 @@ use crate::engine::angle::Course;
 use crate::engine::fault::Fault;
 use crate::engine::words::{Address, Words};
 
-use super::axis::Axes;
 use super::lead::Lead;
 use super::motion::{Cited, Step, Thread};
 use super::unspecified;
@@ -22,10 +21,9 @@ impl Interpreter<'_> {
         motion: u16,
         sink: &mut impl Sink,
     ) -> Result<(), Fault> {
-        self.state.base = None;
-        let start_lead = self.lead()?;
+        let start_lead = self.begin_thread()?;
         let axis = if words.has_m(27) { LeadAxis::X } else { LeadAxis::Z };
-        let axes = Axes { lead: axis, reading: self.setup.readings.feed_length };
+        let axes = self.thread_axes(axis);
         let amount = words.get(Address::E).unwrap_or_default();
         let change = if motion == 35 { -amount } else { amount };
         let goes_on = std::mem::replace(&mut self.state.thread.chain, true);

@@ -14,12 +14,13 @@ mod motion;
 mod pass;
 mod single;
 
-use turnspec_oracle::vocabulary::{AlarmName, Label, RuleId, Sink};
+use turnspec_oracle::vocabulary::{AlarmName, Label, LeadAxis, RuleId, Sink};
 
 use super::Interpreter;
 use super::block::{OneShot, Plan};
 use super::fault::Fault;
 use super::words::{Address, Words};
+use axis::Axes;
 use infeed::{Infeed, Pattern};
 use single::Cycle;
 
@@ -145,6 +146,17 @@ impl Interpreter<'_> {
         } else {
             self.thread_leg(words, motion, sink)
         }
+    }
+
+    /// The lead of a thread that begins: it counts from the present point, not from the corner of a chamfer.
+    fn begin_thread(&mut self) -> Result<i64, Fault> {
+        self.state.base = None;
+        self.lead()
+    }
+
+    /// The axes of a thread with this lead axis.
+    fn thread_axes(&self, lead: LeadAxis) -> Axes {
+        Axes { lead, reading: self.setup.readings.feed_length }
     }
 }
 

@@ -9,7 +9,6 @@ use crate::engine::arithmetic::frame::coordinate;
 use crate::engine::fault::Fault;
 use crate::engine::words::{Address, Words};
 
-use super::axis::Axes;
 use super::cut::{PassCites, taper_rule};
 use super::lead::Lead;
 use super::motion::Thread;
@@ -100,10 +99,9 @@ impl Interpreter<'_> {
         motion: u16,
         sink: &mut impl Sink,
     ) -> Result<(), Fault> {
-        self.state.base = None;
-        let lead = self.lead()?;
+        let lead = self.begin_thread()?;
         let axis = if motion == 32 { LeadAxis::X } else { LeadAxis::Z };
-        let axes = Axes { lead: axis, reading: self.setup.readings.feed_length };
+        let axes = self.thread_axes(axis);
         let start = axes.split(self.present());
         let before = self.state.thread.cycle;
         let cycle = Cycle::of(words, axis, start, before, self.state.incremental);
