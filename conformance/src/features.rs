@@ -52,6 +52,12 @@ criteria! {
     Alarm "the trace ends in an alarm" |has| has.kind(|action| matches!(action, Action::Alarm(_)));
     AnyAngle "address A; a rule of ANG" |has| has.letter('A') || has.area(&["ANG"]);
     Arc "G02, G03; an `arc` event" |has| has.g(&[2, 3]) || has.kind(|action| matches!(action, Action::Arc { .. }));
+    ContourGeneration "G101 to G103, G132, G133, G136, G137; a rule of CGF, CGS, CSC" |has|
+        has.g(&[101, 102, 103, 132, 133, 136, 137]) || has.area(&["CGF", "CGS", "CSC"]);
+    Lap "G80 to G88; a rule of LAP" |has| has.g(&[80, 81, 82, 83, 84, 85, 86, 87, 88]) || has.area(&["LAP"]);
+    DrivenCycle "G178 to G190; a rule of MCYC" |has| has.words.g.iter().any(|code| matches!(code, 178..=190))
+        || has.area(&["MCYC"]);
+    Grooving "G73, G74, G77, G78; a rule of GRV, TAP" |has| has.g(&[73, 74, 77, 78]) || has.area(&["GRV", "TAP"]);
     Aux "an `aux` event" |has| has.kind(|action| matches!(action, Action::Aux { .. }));
     Barrier "M21, M25" |has| has.m(&[21, 25]);
     BlockDelete "a slash in front of a block or behind its sequence name" |has| has.words.slash;

@@ -13,6 +13,7 @@ pub const KINDS: &[&str] = &[
     "rapid",
     "linear",
     "arc",
+    "contour_arc",
     "thread",
     "dwell",
     "spindle",
@@ -61,6 +62,7 @@ const PLAIN: &[(&str, &str)] = &[
     ("group", "group"),
     ("cause", "cause"),
     ("previous", "previous"),
+    ("angle", "angle"),
     ("name", "name"),
     ("number", "number"),
     ("detail", "detail"),
@@ -85,6 +87,9 @@ const TIP: &[(&str, &str)] = &[("x", "tx"), ("z", "tz")];
 const NOSE: &[(&str, &str)] = &[("x", "nx"), ("z", "nz")];
 /// A tool event has its radius number where a motion has its nose centre.
 const NOSE_NUMBER: &[(&str, &str)] = &[("nose", "nose")];
+const FACE: &[(&str, &str)] = &[("x", "px"), ("y", "py")];
+const FACE_CENTRE: &[(&str, &str)] = &[("x", "pcx"), ("y", "pcy")];
+const SIDE_ARC: &[(&str, &str)] = &[("travel", "pu"), ("centre", "pcu"), ("centre_z", "pcz")];
 const BLOCK: &[(&str, &str)] = &[("line", "line"), ("sequence", "block"), ("program", "program")];
 
 /// Fields that tell the block: compared only when an implementation reports them.
@@ -96,7 +101,7 @@ const SHOWN: usize = 600;
 /// Whether compact notation has such a field.
 #[must_use]
 pub fn is_field(name: &str) -> bool {
-    let tables = [PLAIN, PROGRAM, MACHINE, TIP, NOSE, NOSE_NUMBER, BLOCK];
+    let tables = [PLAIN, PROGRAM, MACHINE, TIP, NOSE, NOSE_NUMBER, FACE, FACE_CENTRE, SIDE_ARC, BLOCK];
     ["f", "value"].contains(&name) || tables.into_iter().flatten().any(|(_, field)| *field == name)
 }
 
@@ -126,6 +131,9 @@ impl Observation {
         fields.members("program", &object, PROGRAM)?;
         fields.members("machine", &object, MACHINE)?;
         fields.members("tip", &object, TIP)?;
+        fields.members("face", &object, FACE)?;
+        fields.members("face_centre", &object, FACE_CENTRE)?;
+        fields.members("side_arc", &object, SIDE_ARC)?;
         if kind == "tool" {
             fields.scalars("", &object, NOSE_NUMBER)?;
         } else {

@@ -6,7 +6,7 @@ use turnspec_oracle::vocabulary::{Event, notation};
 
 /// The columns, in order. After the place of the event, its kind, and its fields as compact notation names
 /// them; the feed and its unit are apart.
-pub const COLUMNS: [&str; 52] = [
+pub const COLUMNS: [&str; 60] = [
     "n",
     "line",
     "sequence",
@@ -24,6 +24,8 @@ pub const COLUMNS: [&str; 52] = [
     "tz",
     "nx",
     "nz",
+    "px",
+    "py",
     "c_travel",
     "speed",
     "feed",
@@ -32,6 +34,11 @@ pub const COLUMNS: [&str; 52] = [
     "sense",
     "cx",
     "cz",
+    "pcx",
+    "pcy",
+    "pu",
+    "pcu",
+    "pcz",
     "time",
     "spindle",
     "state",
@@ -49,6 +56,7 @@ pub const COLUMNS: [&str; 52] = [
     "group",
     "cause",
     "previous",
+    "angle",
     "name",
     "value",
     "number",

@@ -4,8 +4,8 @@ use std::fmt::Write;
 
 use turnspec_oracle::vocabulary::notation::{feed_unit_text, value_text};
 use turnspec_oracle::vocabulary::{
-    Action, Alarm, Angle, CallCause, Event, Feed, FrameCause, Label, LeadAxis, Length, Motion, ReleaseCause,
-    Sense, SpeedLimit, Spindle, SpindleName, SpindleState, Value,
+    Action, Alarm, Angle, CallCause, ContourPlane, Event, Feed, FrameCause, Label, LeadAxis, Length, Motion,
+    ReleaseCause, Sense, SpeedLimit, Spindle, SpindleName, SpindleState, Value,
 };
 
 /// What happens, in program coordinates; of a motion in radius compensation also where the tip is.
@@ -29,6 +29,19 @@ pub fn describe(event: &Event) -> String {
             };
             format!("thread to {}, lead {lead} mm along {axis}{}", end_point(motion), turning(motion))
         }
+        Action::ContourArc { motion, feed: rate, sense, plane } => {
+            let centre = match plane {
+                ContourPlane::FaceCentre(centre) => format!("{}, {} on the face", centre.x, centre.y),
+                ContourPlane::SideArc(arc) => format!("{}, Z{} on the side", arc.centre, arc.centre_z),
+            };
+            format!(
+                "arc {} to {} about {centre}{}{}",
+                sense_words(*sense),
+                end_point(motion),
+                feed(*rate),
+                turning(motion)
+            )
+        }
         Action::Dwell { time } => format!("dwell {time} s"),
         Action::Spindle(spindle) => spindle_words(spindle),
         Action::Tool { tool, offset, nose, index } => tool_words(*tool, *offset, *nose, *index),
@@ -40,8 +53,15 @@ pub fn describe(event: &Event) -> String {
         Action::Frame { cause, x, z, c, w } => {
             format!("{} is now {}", cause_words(*cause), amounts(*x, *z, *c, *w))
         }
-        Action::Mode { group, code, previous } => {
-            format!("{}: {code} instead of {previous}", spaced(group.as_str()))
+        Action::Mode { group, code, previous, angle } => {
+            let mut text = format!("{}: {code}", spaced(group.as_str()));
+            if !previous.is_empty() {
+                let _ = write!(text, " instead of {previous}");
+            }
+            if let Some(angle) = angle {
+                let _ = write!(text, ", turned by {angle} degrees");
+            }
+            text
         }
         Action::Variable { name, value } => format!("{name} = {}{}", value_text(value), value_unit(value)),
         Action::Call { name, cause } => match cause {
@@ -117,8 +137,14 @@ fn turning(motion: &Motion) -> String {
     if let Some(speed) = motion.speed {
         let _ = write!(text, ", {speed} rpm");
     }
-    if let (Some(pass), Some(part)) = (motion.pass, motion.part) {
-        let _ = write!(text, " ({}, pass {pass})", part.as_str());
+    match (motion.pass, motion.part) {
+        (Some(pass), Some(part)) => {
+            let _ = write!(text, " ({}, pass {pass})", part.as_str());
+        }
+        (None, Some(part)) => {
+            let _ = write!(text, " ({})", part.as_str());
+        }
+        (_, None) => {}
     }
     text
 }

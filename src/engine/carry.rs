@@ -170,6 +170,7 @@ impl Interpreter<'_> {
             group,
             code: Label::of_code(b'G', code),
             previous: Label::of_code(b'G', previous),
+            angle: None,
         };
         self.emit(sink, rules, action);
     }

@@ -330,6 +330,7 @@ fn foreign_event(event: &Event, features: &[Feature]) -> String {
         Action::Rapid { .. } => has(Feature::Rapid),
         Action::Linear { .. } => has(Feature::Feed) && (has(Feature::Linear) || has(Feature::Torque)),
         Action::Arc { .. } => has(Feature::Feed) && (has(Feature::Arc) || has(Feature::Rounding)),
+        Action::ContourArc { .. } => has(Feature::ContourGeneration),
         Action::Thread { .. } => has(Feature::Thread),
         Action::Dwell { .. } => has(Feature::Dwell),
         Action::Spindle(spindle) => match spindle.spindle {

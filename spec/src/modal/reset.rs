@@ -70,5 +70,6 @@ pub fn mode(group: GGroup, code: u16, previous: u16) -> Action {
         group: Label::new(group.name()),
         code: Label::of_code(b'G', code),
         previous: Label::of_code(b'G', previous),
+        angle: None,
     }
 }

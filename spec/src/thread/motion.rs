@@ -127,6 +127,8 @@ fn event(step: &Step, thread: &Thread, before: Amounts, state: &State) -> Emissi
                 axis,
                 change: (change != 0).then_some(FeedRate(change)),
                 start: (start_angle != 0).then_some(Angle(start_angle)),
+                spindle: None,
+                feed: None,
             })
         }
         Work::Withdrawal => {

@@ -140,6 +140,25 @@ pub enum Action {
         /// The angle of the spindle at which the thread starts, if it is not zero.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         start: Option<Angle>,
+        /// The spindle whose turning it follows, if it is not the main spindle.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        spindle: Option<SpindleName>,
+        /// The feed along the lead axis, when the thread follows the C axis.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        feed: Option<Feed>,
+    },
+    /// Motion along a circle in a plane of the C axis, at a feed.
+    ContourArc {
+        /// Where to.
+        #[serde(flatten)]
+        motion: Motion,
+        /// The feed, along the arc.
+        feed: Feed,
+        /// The way round, seen in its plane.
+        sense: Sense,
+        /// Its centre, and on the side of the workpiece its end.
+        #[serde(flatten)]
+        plane: ContourPlane,
     },
     /// Waiting.
     Dwell {
@@ -200,8 +219,12 @@ pub enum Action {
         group: Label,
         /// The code now active.
         code: Label,
-        /// The code active before.
+        /// The code active before, if one was.
+        #[serde(default, skip_serializing_if = "Label::is_empty")]
         previous: Label,
+        /// The direction of the X axis of coordinate conversion.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        angle: Option<Angle>,
     },
     /// A variable was assigned.
     Variable {
@@ -300,6 +323,9 @@ pub struct Motion {
     /// The nose centre in program coordinates, in radius compensation.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub nose: Option<PlanePosition>,
+    /// The end as a point of the face plane, in contour generation on the face and in coordinate conversion.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub face: Option<FacePoint>,
     /// Travel of the C axis, signed, full turns included.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub c_travel: Option<Angle>,
@@ -321,14 +347,40 @@ pub struct Motion {
 pub enum Part {
     /// It goes to where the cut begins.
     Approach,
+    /// It goes over the place of a hole.
+    Position,
+    /// It goes to the depth of a pass.
+    Infeed,
     /// It cuts.
     Cut,
-    /// It leaves the workpiece while it cuts on: the run-out chamfer of a thread.
+    /// It cuts along the contour.
+    Contour,
+    /// It cuts the last pass, which leaves nothing.
+    Finish,
+    /// It leaves the workpiece at a feed: the run-out chamfer of a thread, the way out of a hole.
     Exit,
     /// It leaves the workpiece.
     Retract,
-    /// It goes back to where the cycle began.
+    /// It leaves a hole, to come back.
+    Withdraw,
+    /// It goes back into a hole.
+    Reentry,
+    /// It goes sideways to the next place.
+    Shift,
+    /// It goes where there is no stock, on the level of a cut.
+    Air,
+    /// It leaves what it has cut by a little, in both axes.
+    Relief,
+    /// It goes above what it has cut.
+    Clear,
+    /// It goes back to where the cycle, or a pass of it, began.
     Return,
+    /// It goes back to the point in front of the cycle.
+    Home,
+    /// X alone, to or from the centre of the face.
+    Radial,
+    /// C alone, at the centre of the face.
+    Turn,
 }
 
 impl Part {
@@ -337,10 +389,23 @@ impl Part {
     pub fn as_str(self) -> &'static str {
         match self {
             Self::Approach => "approach",
+            Self::Position => "position",
+            Self::Infeed => "infeed",
             Self::Cut => "cut",
+            Self::Contour => "contour",
+            Self::Finish => "finish",
             Self::Exit => "exit",
             Self::Retract => "retract",
+            Self::Withdraw => "withdraw",
+            Self::Reentry => "reentry",
+            Self::Shift => "shift",
+            Self::Air => "air",
+            Self::Relief => "relief",
+            Self::Clear => "clear",
             Self::Return => "return",
+            Self::Home => "home",
+            Self::Radial => "radial",
+            Self::Turn => "turn",
         }
     }
 }
@@ -354,6 +419,39 @@ pub enum LeadAxis {
     X,
     /// Z.
     Z,
+}
+
+/// A point of the face of the workpiece: in coordinate conversion in its coordinates, else with the first axis on program C0.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct FacePoint {
+    /// Along the first axis.
+    pub x: Length,
+    /// Along the second axis.
+    pub y: Length,
+}
+
+/// What an arc in a plane of the C axis is measured by.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(rename_all = "snake_case")]
+pub enum ContourPlane {
+    /// On the face.
+    FaceCentre(FacePoint),
+    /// On the side, developed.
+    SideArc(SideArc),
+}
+
+/// An arc on the developed side of the workpiece.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct SideArc {
+    /// The travel on the cylinder from start to end, positive in the direction of C+.
+    pub travel: Length,
+    /// The centre on the cylinder, from the start.
+    pub centre: Length,
+    /// Program Z of the centre.
+    pub centre_z: Length,
 }
 
 /// A point of the plane of X and Z.

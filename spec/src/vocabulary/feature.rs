@@ -32,6 +32,8 @@ features! {
     AnyAngle "any-angle"
     /// Circular motion.
     Arc "arc"
+    /// Contour generation and coordinate conversion.
+    ContourGeneration "contour-generation"
     /// M codes without an event of their own.
     Aux "aux"
     /// The chuck and tailstock barriers.
@@ -44,6 +46,12 @@ features! {
     CAxis "c-axis"
     /// G75.
     Chamfer "chamfer"
+    /// LAP, the lathe auto-programming function.
+    Lap "lap"
+    /// Cycles of driven tools.
+    DrivenCycle "driven-cycle"
+    /// Grooving, drilling and tapping cycles.
+    Grooving "grooving"
     /// Comments.
     Comment "comment"
     /// Coolant on and off.

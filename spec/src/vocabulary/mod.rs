@@ -23,23 +23,25 @@ mod unit;
 
 pub use alarm::{Alarm, AlarmName};
 pub use event::{
-    Action, CallCause, Ending, Event, Feed, FeedUnit, FrameCause, LeadAxis, Motion, Part, PlanePosition,
-    Position, ReleaseCause, Sense, Side, Sink, SpeedLimit, Spindle, SpindleName, SpindleState, Value,
+    Action, CallCause, ContourPlane, Ending, Event, FacePoint, Feed, FeedUnit, FrameCause, LeadAxis, Motion,
+    Part, PlanePosition, Position, ReleaseCause, Sense, Side, SideArc, Sink, SpeedLimit, Spindle,
+    SpindleName, SpindleState, Value,
 };
 pub use feature::Feature;
 pub use label::Label;
 pub use place::Place;
 pub use program_text::ProgramText;
 pub use reading::{
-    ArcOneCoordinate, BalancedInfeed, BarrierPath, ChamferLeg, FeedLength, InchConversion,
-    IncrementalAfterChamfer, PutReal, Reading, ReadingSet, Readings, SpeedClamp, TaperReference, ThreadFlank,
-    ThreadShift, ToolOffsetSign, UserAlarmC,
+    ArcOneCoordinate, BalancedInfeed, BarrierPath, ChamferLeg, ChipDischarge, ContourFeed, FeedLength,
+    InchConversion, IncrementalAfterChamfer, KeywayReturn, PeckRetract, PutReal, Reading, ReadingSet,
+    Readings, SpeedClamp, TaperReference, ThreadFlank, ThreadShift, ToolOffsetSign, UserAlarmC,
 };
 pub use rule::{RuleId, RuleSet};
 pub use setup::{
-    AxisAmounts, Barriers, Chamfering, Control, Droop, EndCode, Gear, Inputs, Limit, Limits, Machine,
-    MachineType, NoseRadius, Options, Parameters, PlaneAmounts, PlaneLimits, Setup, SetupError, SpindleSetup,
-    StmCheck, Switches, Tape, TapeCode, ToolOffset, TurretB, UnitSystem,
+    AxisAmounts, Barriers, Chamfering, Control, ConversionZeroShift, CycleReturn, Droop, EndCode,
+    G184Tapping, Gear, Inputs, Limit, Limits, Machine, MachineType, NoseRadius, Options, Parameters,
+    PlaneAmounts, PlaneLimits, Setup, SetupError, SidePlane, SpindleSetup, StmCheck, Switches, Tape,
+    TapeCode, ToolOffset, TurretB, UnitSystem,
 };
 pub use text::Text;
 pub use unit::{Angle, CuttingSpeed, Duration, FeedRate, Length, Speed};

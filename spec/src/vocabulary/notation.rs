@@ -5,8 +5,8 @@
 //! number of events.
 
 use super::{
-    Action, Event, Feed, FeedUnit, Label, LeadAxis, Motion, Part, Position, Sense, Side, SpeedLimit, Spindle,
-    SpindleName, SpindleState, Value,
+    Action, ContourPlane, Event, Feed, FeedUnit, Label, LeadAxis, Motion, Part, Position, Sense, Side,
+    SpeedLimit, Spindle, SpindleName, SpindleState, Value,
 };
 
 /// Writes an event in compact notation, every field of it, its line number, rules and readings last.
@@ -38,19 +38,14 @@ pub fn fields(event: &Event) -> Vec<(&'static str, String)> {
         Action::Linear { motion, feed, path } => {
             list.kind("linear").motion(motion).feed(feed).add("path", path)
         }
-        Action::Arc { motion, feed, sense, centre_x, centre_z } => {
-            let sense = match sense {
-                Sense::Clockwise => "cw",
-                Sense::CounterClockwise => "ccw",
-            };
-            list.kind("arc")
-                .motion(motion)
-                .add("sense", &sense)
-                .add("cx", centre_x)
-                .add("cz", centre_z)
-                .feed(feed)
-        }
-        Action::Thread { motion, lead, axis, change, start } => {
+        Action::Arc { motion, feed, sense, centre_x, centre_z } => list
+            .kind("arc")
+            .motion(motion)
+            .add("sense", &sense_text(*sense))
+            .add("cx", centre_x)
+            .add("cz", centre_z)
+            .feed(feed),
+        Action::Thread { motion, lead, axis, change, start, spindle, feed } => {
             let axis = match axis {
                 LeadAxis::X => "x",
                 LeadAxis::Z => "z",
@@ -61,6 +56,21 @@ pub fn fields(event: &Event) -> Vec<(&'static str, String)> {
                 .add("axis", &axis)
                 .add_some("change", change.as_ref())
                 .add_some("start", start.as_ref())
+                .add_some("spindle", spindle.map(spindle_text).as_ref());
+            match feed {
+                Some(feed) => list.feed(feed),
+                None => &mut list,
+            }
+        }
+        Action::ContourArc { motion, feed, sense, plane } => {
+            list.kind("contour_arc").motion(motion).add("sense", &sense_text(*sense));
+            match plane {
+                ContourPlane::FaceCentre(centre) => list.add("pcx", &centre.x).add("pcy", &centre.y),
+                ContourPlane::SideArc(arc) => {
+                    list.add("pu", &arc.travel).add("pcu", &arc.centre).add("pcz", &arc.centre_z)
+                }
+            };
+            list.feed(feed)
         }
         Action::Dwell { time } => list.kind("dwell").add("time", time),
         Action::Spindle(spindle) => list.spindle(spindle),
@@ -80,9 +90,12 @@ pub fn fields(event: &Event) -> Vec<(&'static str, String)> {
             };
             list.kind("frame").add("cause", &cause).add("x", x).add("z", z).add("c", c).add("w", w)
         }
-        Action::Mode { group, code, previous } => {
-            list.kind("mode").add("group", group).add("code", code).add("previous", previous)
-        }
+        Action::Mode { group, code, previous, angle } => list
+            .kind("mode")
+            .add("group", group)
+            .add("code", code)
+            .add_some("previous", (!previous.is_empty()).then_some(previous))
+            .add_some("angle", angle.as_ref()),
         Action::Variable { name, value } => {
             list.kind("variable").add("name", name).add("value", &value_text(value))
         }
@@ -155,6 +168,21 @@ pub fn feed_unit_text(unit: FeedUnit) -> &'static str {
     }
 }
 
+fn sense_text(sense: Sense) -> &'static str {
+    match sense {
+        Sense::Clockwise => "cw",
+        Sense::CounterClockwise => "ccw",
+    }
+}
+
+fn spindle_text(spindle: SpindleName) -> &'static str {
+    match spindle {
+        SpindleName::Main => "main",
+        SpindleName::Tool => "tool",
+        SpindleName::CAxis => "c_axis",
+    }
+}
+
 struct Fields(Vec<(&'static str, String)>);
 
 impl Fields {
@@ -186,11 +214,13 @@ impl Fields {
     }
 
     fn motion(&mut self, motion: &Motion) -> &mut Self {
-        let Motion { program, machine, tip, nose, c_travel, speed, pass, part } = motion;
+        let Motion { program, machine, tip, nose, face, c_travel, speed, pass, part } = motion;
         self.position(program, ["x", "z", "c", "w"]).position(machine, ["mx", "mz", "mc", "mw"]);
         self.add_some("tx", tip.map(|tip| tip.x).as_ref()).add_some("tz", tip.map(|tip| tip.z).as_ref());
         self.add_some("nx", nose.map(|nose| nose.x).as_ref())
             .add_some("nz", nose.map(|nose| nose.z).as_ref());
+        self.add_some("px", face.map(|face| face.x).as_ref())
+            .add_some("py", face.map(|face| face.y).as_ref());
         self.add_some("c_travel", c_travel.as_ref()).add_some("speed", speed.as_ref());
         self.add_some("pass", pass.as_ref()).add_some("part", part.map(Part::as_str).as_ref())
     }
@@ -204,11 +234,7 @@ impl Fields {
     }
 
     fn spindle(&mut self, spindle: &Spindle) -> &mut Self {
-        let name = match spindle.spindle {
-            SpindleName::Main => "main",
-            SpindleName::Tool => "tool",
-            SpindleName::CAxis => "c_axis",
-        };
+        let name = spindle_text(spindle.spindle);
         let state = match spindle.state {
             SpindleState::Stop => "stop",
             SpindleState::Clockwise => "cw",

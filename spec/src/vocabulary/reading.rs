@@ -137,6 +137,34 @@ readings! {
         /// Depths that take equal areas.
         EqualArea "equal_area"
     }
+    /// E100L-GRV-04: what a retract amount on X measures.
+    peck_retract: PeckRetract {
+        /// The change of the diameter.
+        #[default] Diameter "diameter",
+        /// The way of the tool, half of it.
+        Radius "radius"
+    }
+    /// E100L-G183-02: where a deep hole drill goes to discharge chips.
+    chip_discharge: ChipDischarge {
+        /// To where the cut began.
+        #[default] CuttingStart "cutting_start",
+        /// To where the cycle began.
+        CycleStart "cycle_start"
+    }
+    /// E100L-G190-03: how high the tool returns between the passes of a key way with M211.
+    keyway_return: KeywayReturn {
+        /// To where the cut began.
+        #[default] CuttingStart "cutting_start",
+        /// By the retract amount.
+        Relief "relief"
+    }
+    /// E100L-LAP-08: the feed of an element of a LAP contour without E.
+    contour_feed: ContourFeed {
+        /// The E of a contour before, and F of the call when there was none.
+        #[default] Kept "kept",
+        /// F of the call.
+        Call "call"
+    }
     /// E100L-SMAX-02: where the clamp of `G50 S` acts.
     speed_clamp: SpeedClamp {
         /// On every spindle speed.

@@ -129,6 +129,8 @@ impl Interpreter<'_> {
                 axis,
                 change: (change != 0).then_some(FeedRate(change)),
                 start: (start != 0).then_some(Angle(start)),
+                spindle: None,
+                feed: None,
             },
             Drive::Withdrawal => {
                 let value = WITHDRAWAL * i64::from(self.setup.parameters.thread_chamfer_feed);

@@ -209,11 +209,75 @@ table! {
         thread_chamfer_feed: u16 = 640,
         /// Infeed pattern of M75, 3 or 4.
         m75_pattern: u8 = 3,
+        /// (Optional parameter, long word) No. 7: retract between the cuts of a groove, 0 to 99.999.
+        grooving_retract: Length = Length(100_000),
+        /// Retract between the cuts of a deep hole and the passes of a key way, 0 to 99.999.
+        drilling_retract: Length = Length(100_000),
+        /// Where a cycle of a driven tool returns to without M136.
+        cycle_return: CycleReturn = CycleReturn::CuttingStart,
+        /// Whether G184 taps with a floating tap holder or synchronised.
+        g184_tapping: G184Tapping = G184Tapping::Floating,
+        /// Percent of the feed at which C turns at the centre of the face, 1 to 1000.
+        centre_override: u16 = 100,
+        /// From where the plane of contour generation on the side is seen.
+        side_plane: SidePlane = SidePlane::Outer,
+        /// (Optional parameter, bit) No. 56 bit 4: contour generation on the side needs G119.
+        side_contour_mode: bool = false,
+        /// Whether the C zero shift turns the axes of coordinate conversion.
+        conversion_zero_shift: ConversionZeroShift = ConversionZeroShift::Included,
+        /// Relief of LAP, in 0.001 mm, 0 to 9999.
+        lap_relief: u16 = 100,
+        /// Clearance of LAP, in 0.001 mm, 0 to 99999.
+        lap_clearance: u32 = 2000,
         /// (OTHER FUNCTION 2) upper limit of the torque of G29, percent, 1 to 100.
         torque_limit_upper: u8 = 100,
         /// (OTHER FUNCTION 2) torque monitoring delay of G22 in units of 10 ms, 0 to 9999.
         torque_monitor_delay: u16 = 0,
     }
+}
+
+/// Where a cycle of a driven tool returns to (E100L-MCYC-15).
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(rename_all = "snake_case")]
+pub enum CycleReturn {
+    /// Where the cut begins.
+    CuttingStart,
+    /// Where the cycle began.
+    CycleStart,
+}
+
+/// How G184 taps (E100L-G184-02).
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(rename_all = "snake_case")]
+pub enum G184Tapping {
+    /// With a floating tap holder.
+    Floating,
+    /// Synchronised with the tool spindle.
+    Synchronised,
+}
+
+/// From where the plane of contour generation on the side is seen (E100L-CGS-02).
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(rename_all = "snake_case")]
+pub enum SidePlane {
+    /// From outside.
+    Outer,
+    /// From inside.
+    Inner,
+}
+
+/// Whether the C zero shift turns the axes of coordinate conversion (E100L-CSC-04).
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(rename_all = "snake_case")]
+pub enum ConversionZeroShift {
+    /// It does.
+    Included,
+    /// It does not.
+    Excluded,
 }
 
 /// What ends a transmission.
@@ -261,6 +325,8 @@ table! {
         w_axis: bool = false,
         /// User Task level, 1 or 2.
         user_task: u8 = 2,
+        /// Lathe auto-programming: 0 (none), 3 (modes I to III), 4 (modes I to V).
+        lap: u8 = 4,
         /// Number of tools with interference data: 12, 20 or 96.
         tools: u8 = 12,
         /// Number of tool groups with interference data: 12, 20 or 24.

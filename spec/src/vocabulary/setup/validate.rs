@@ -71,6 +71,9 @@ impl Setup {
         require([1, 2].contains(&options.user_task), || {
             format!("options.user_task is {}, must be 1 or 2", options.user_task)
         })?;
+        require([0, 3, 4].contains(&options.lap), || {
+            format!("options.lap is {}, must be 0, 3 or 4", options.lap)
+        })?;
         require([12, 20, 96].contains(&options.tools), || {
             format!("options.tools is {}, must be 12, 20 or 96", options.tools)
         })?;
@@ -100,6 +103,24 @@ impl Setup {
         })?;
         require([3, 4].contains(&parameters.m75_pattern), || {
             format!("parameters.m75_pattern is {}, must be 3 or 4", parameters.m75_pattern)
+        })?;
+        for (name, amount) in [
+            ("grooving_retract", parameters.grooving_retract),
+            ("drilling_retract", parameters.drilling_retract),
+        ] {
+            require((0..=99_999_000).contains(&amount.0), || {
+                format!("parameters.{name} is {amount}, must be 0 to 99.999")
+            })?;
+        }
+        let percent = parameters.centre_override;
+        require((1..=1000).contains(&percent), || {
+            format!("parameters.centre_override is {percent}, must be 1 to 1000")
+        })?;
+        require(parameters.lap_relief <= 9999, || {
+            format!("parameters.lap_relief is {}, must be 0 to 9999", parameters.lap_relief)
+        })?;
+        require(parameters.lap_clearance <= 99_999, || {
+            format!("parameters.lap_clearance is {}, must be 0 to 99999", parameters.lap_clearance)
         })?;
         require((1..=126).contains(&parameters.call_depth), || {
             format!("parameters.call_depth is {}, must be 1 to 126", parameters.call_depth)
