@@ -1,6 +1,6 @@
 //! What a block must satisfy for contours and coordinate conversion before anything of it is carried out.
 
-use super::{is_mode, is_on_side};
+use super::is_on_side;
 use crate::controls::e100l::g_codes::{GCode, GGroup, g_code};
 use crate::fault::{Fault, Outcome, fail};
 use crate::modal::{Before, Change, Plan, Words};
@@ -120,8 +120,7 @@ pub fn check_plane(plan: &Plan, before: Before, setup: &Setup) -> Outcome<()> {
         return mixed();
     }
     if plan.is_contour() && ((was || is) && plane == 18 || before.left_over) {
-        let own = plan.words.g.iter().copied().find(|code| is_mode(*code));
-        let code = own.unwrap_or_else(|| plan.motion());
+        let code = plan.motion();
         let rule: RuleId = if is_on_side(code) { CRC_07 } else { CRC_06 };
         return Err(unspecified(rule, code));
     }
