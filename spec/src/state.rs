@@ -1,6 +1,7 @@
 //! Everything that a control remembers from one block to the next.
 
 use crate::barrier::Watch;
+use crate::contour;
 use crate::controls::e100l::g_codes::GGroup;
 use crate::controls::e100l::m_codes::GROUPS;
 use crate::controls::e100l::system_variables::Axis;
@@ -52,6 +53,8 @@ pub struct State<'a> {
     pub angle_target: Option<Point>,
     /// The thread that goes on in the next block.
     pub thread: thread::Kept,
+    /// Coordinate conversion, and how far the C axis is wound.
+    pub contour: contour::Kept,
 }
 
 /// The modal G codes, in the order of the groups.
@@ -125,6 +128,7 @@ impl<'a> State<'a> {
             saddle: None,
             angle_target: None,
             thread: thread::Kept::default(),
+            contour: contour::Kept::default(),
         }
     }
 
@@ -220,6 +224,9 @@ impl<'a> State<'a> {
 }
 
 impl Modes {
+    /// E100L-CSC-05: what the motion mode is while no code of its group is in force. It is the number of no G code.
+    pub const NO_CODE: u16 = 1_000;
+
     /// The active code of a group; of the one-shot group none is.
     pub fn get(&self, group: GGroup) -> u16 {
         let index = GGroup::MODAL.iter().position(|each| *each == group);
@@ -237,6 +244,11 @@ impl Modes {
     /// Whether G41 or G42 is in force.
     pub fn compensating(&self) -> bool {
         self.get(GGroup::Compensation) != 40
+    }
+
+    /// Whether G137 is in force.
+    pub fn converting(&self) -> bool {
+        self.get(GGroup::Conversion) == 137
     }
 
     /// Whether G91 is in force.

@@ -6,12 +6,13 @@ use super::miscellaneous::{self, Timed, check_time};
 use super::reset::mode;
 use super::{feed, spindle, tool};
 use crate::barrier::Watch;
+use crate::contour;
 use crate::controls::e100l::g_codes::{GCode, GGroup, g_code};
 use crate::emission::Emission;
 use crate::fault::Outcome;
 use crate::integer::turn;
 use crate::saddle::{Commands, is_common_g, is_common_m};
-use crate::state::State;
+use crate::state::{Modes, State};
 use crate::thread;
 use crate::vocabulary::rule_ids::*;
 use crate::vocabulary::{Action, FrameCause, InchConversion, Label, RuleId, RuleSet};
@@ -21,6 +22,10 @@ pub fn before_motion(plan: &Plan, state: &mut State, emissions: &mut Vec<Emissio
     let words = &plan.words;
     let (by_other, for_both) = common_commands(plan);
     for code in words.g.iter().filter(|code| !(by_other && is_common_g(**code))) {
+        if matches!(code, 136 | 137) {
+            contour::convert(*code, plan, state, emissions)?;
+            continue;
+        }
         let event = select(*code, state);
         emissions.extend(event.map(|event| event.rule_if(for_both && is_common_g(*code), AX4_06)));
     }
@@ -59,6 +64,7 @@ pub fn before_motion(plan: &Plan, state: &mut State, emissions: &mut Vec<Emissio
         if *code == 109 {
             emissions.extend(turning_plane(state));
         }
+        state.contour.command(*code);
     }
     state.watch = watch.or(Watch::in_force(state));
     Ok(())
@@ -93,6 +99,7 @@ fn is_program_code(code: u16) -> bool {
 /// E100L-GCODE-02: a code of another mode; the rule that says what the mode means.
 fn select(code: u16, state: &mut State) -> Option<Emission> {
     let GCode::Modelled(group) = g_code(code) else { return None };
+    state.contour.select(code, state.setup);
     let previous = state.modes.get(group);
     if group == GGroup::OneShot || previous == code {
         return None;
@@ -108,6 +115,9 @@ fn select(code: u16, state: &mut State) -> Option<Emission> {
         32 => G32_01,
         33 => G33_01,
         34 | 35 => G34_01,
+        101 => CGF_02,
+        102 | 103 => CGF_04,
+        132 | 133 => CGS_01,
         64 => DROOP_02,
         65 => DROOP_01,
         90 => ABS_01,
@@ -123,7 +133,7 @@ fn select(code: u16, state: &mut State) -> Option<Emission> {
     // E100L-NRC-61: from one side to the other without G40 between.
     let other_side = group == GGroup::Compensation && previous != 40 && code != 40;
     let event = Emission::new(mode(group, code, previous), RuleSet::of(&[GCODE_02, rule]));
-    Some(event.rule_if(other_side, NRC_61))
+    Some(event.rule_if(other_side, NRC_61).rule_if(previous == Modes::NO_CODE, CSC_05))
 }
 
 /// E100L-CRC-03: M109 selects G18.

@@ -4,6 +4,7 @@ use super::compensation;
 use super::function::every_word_has_a_function;
 use super::machine::check_reference;
 use super::words::Words;
+use crate::contour;
 use crate::controls::e100l::g_codes::{GCode, GGroup, g_code};
 use crate::fault::{Fault, Outcome, fail};
 use crate::state::{Modes, State};
@@ -24,6 +25,8 @@ pub struct Plan {
     pub compensation: Change,
     /// Whether it moves axes.
     pub moves: bool,
+    /// Whether it is a block in conversion mode: that began in G137, and has no word G136 or G137.
+    pub converts: bool,
 }
 
 /// What a block does to radius compensation (E100L-NRC-14, E100L-NRC-66).
@@ -38,7 +41,7 @@ pub enum Change {
 }
 
 impl Plan {
-    /// Its motion code: 0 to 3, 31 to 35.
+    /// Its motion code: 0 to 3, 31 to 35, 101 to 103, 132, 133; [`Modes::NO_CODE`] if none is in force.
     pub fn motion(&self) -> u16 {
         self.modes.get(GGroup::Motion)
     }
@@ -53,6 +56,11 @@ impl Plan {
         self.moves && self.one_shot.is_none() && thread::is_mode(self.motion())
     }
 
+    /// Whether it generates a contour with the C axis.
+    pub fn is_contour(&self) -> bool {
+        self.moves && self.one_shot.is_none() && contour::is_mode(self.motion())
+    }
+
     /// Whether it is a compound thread cycle.
     pub fn is_compound(&self) -> bool {
         matches!(self.one_shot, Some(71 | 72))
@@ -60,7 +68,8 @@ impl Plan {
 
     /// Whether it is a motion that modal calls come after (E100L-MODIN-03).
     pub fn triggers(&self) -> bool {
-        self.moves && !matches!(self.one_shot, Some(22 | 71 | 72)) && self.words.has_any("XZ")
+        let acts = !matches!(self.one_shot, Some(22 | 71 | 72)) && !self.is_contour();
+        self.moves && acts && self.words.has_any("XYZ")
     }
 
     /// Whether an angle is all that it says of its end point (E100L-ANG-06).
@@ -98,6 +107,10 @@ pub fn check(words: Words, before: Before, state: &State) -> Outcome<Plan> {
     let is_thread = one_shot.is_none() && thread::is_mode(motion) && is_motion(&words, motion);
     thread::not_in_constant_speed(&words, modes, is_thread.then_some(motion))?;
     check_reference(&words, modes, setup)?;
+    let converts = before.modes.converting() && !matches!(one_shot, Some(136 | 137));
+    let moves_by_mode = matches!(one_shot, None | Some(75 | 76)) && is_motion(&words, motion);
+    let asked = contour::Asked { words: &words, one_shot, modes, changes: compensation != Change::Stays };
+    contour::check_conversion(&asked, converts, moves_by_mode, state)?;
     let mut moves = false;
     match one_shot {
         Some(4) => dwell(&words)?,
@@ -111,6 +124,7 @@ pub fn check(words: Words, before: Before, state: &State) -> Outcome<Plan> {
             moves = true;
         }
         Some(50) => zero_shift(&words, setup)?,
+        Some(137) => contour::check_beginning(&words, modes)?,
         Some(code @ (75 | 76)) => {
             chamfer(code, &words, motion, setup)?;
             if before.modal && words.has_any("XZ") {
@@ -125,15 +139,21 @@ pub fn check(words: Words, before: Before, state: &State) -> Outcome<Plan> {
             has_axis_w(&words, setup)?;
             moves = true;
         }
+        None if is_motion(&words, motion) && contour::is_mode(motion) => {
+            contour::check_block(&words, motion, modes)?;
+            has_axis_w(&words, setup)?;
+            moves = true;
+        }
         None if is_motion(&words, motion) => {
             path(&words, motion, before.after_angle, setup)?;
             moves = true;
         }
         Some(_) | None => {}
     }
-    every_word_has_a_function(&words, one_shot, motion, compensation)?;
-    let plan = Plan { words, modes, one_shot, compensation, moves };
+    every_word_has_a_function(&words, one_shot, motion, compensation, converts)?;
+    let plan = Plan { words, modes, one_shot, compensation, moves, converts };
     thread::not_in_compensation(&plan, before)?;
+    contour::check_plane(&plan, before, setup)?;
     compensation::check(&plan, before, state.c_joined())?;
     Ok(plan)
 }
@@ -153,10 +173,14 @@ fn select(words: &Words, mut modes: Modes) -> Modes {
             modes.set(group, *code);
         }
     }
+    if words.has_g(137) {
+        // E100L-CSC-05.
+        modes.set(GGroup::Motion, Modes::NO_CODE);
+    }
     modes
 }
 
-/// E100L-MCODE-24, E100L-MCODE-36, E100L-MCODE-37: codes that must stand alone.
+/// E100L-MCODE-24, E100L-MCODE-36, E100L-MCODE-37, E100L-CSC-09: codes that must stand alone.
 fn stands_alone(words: &Words) -> Outcome<()> {
     let count = words.g.len() + words.m.len() + words.others.len() + usize::from(words.feed.is_some());
     if count == 1 && !words.assigns {
@@ -165,6 +189,7 @@ fn stands_alone(words: &Words) -> Outcome<()> {
     let alone = [(110, MCODE_24), (193, MCODE_36), (195, MCODE_37), (196, MCODE_37)];
     match alone.iter().find(|(code, _)| words.m.contains(code)) {
         Some((_, rule)) => fail(AlarmName::NotAlone, *rule),
+        None if words.has_g(136) => fail(AlarmName::NotAlone, CSC_09),
         None => Ok(()),
     }
 }
@@ -267,7 +292,8 @@ fn has_axis_w(words: &Words, setup: &Setup) -> Outcome<()> {
 }
 
 fn is_motion(words: &Words, motion: u16) -> bool {
-    words.has_any("XZCWA")
+    words.has_any("XYZCWA")
+        || contour::is_mode(motion) && words.get('L').is_some()
         || words.extended("QA").is_some()
         || matches!(motion, 2 | 3) && (words.has_any("IKL") || words.major_arc())
         || thread::is_mode(motion) && words.has_any("IKLEJ")

@@ -40,7 +40,7 @@ fn change(plan: &Plan) -> Outcome<()> {
         Change::Begins => (NRC_19, NRC_24),
         Change::Ends => (NRC_72, NRC_70),
     };
-    if plan.motion() > 1 {
+    if !matches!(plan.motion(), 0 | 1 | 101) {
         return fail(AlarmName::CompensationNotLinear, linear);
     }
     let zero = |letter| plan.words.get(letter).unwrap_or(0) == 0;

@@ -3,6 +3,7 @@
 use super::check::Change;
 use super::words::Words;
 use crate::fault::{Fault, Outcome};
+use crate::state::Modes;
 use crate::syntax::Address;
 use crate::vocabulary::AlarmName;
 use crate::vocabulary::rule_ids::*;
@@ -13,6 +14,7 @@ pub fn every_word_has_a_function(
     one_shot: Option<u16>,
     motion: u16,
     compensation: Change,
+    converts: bool,
 ) -> Outcome<()> {
     let (letters, extended, calrg): (&[u8], &[&str], bool) = match (one_shot, motion) {
         (Some(4 | 28), _) => (b"", &[], false),
@@ -21,7 +23,14 @@ pub fn every_word_has_a_function(
         (Some(50), _) => (b"XZCW", &[], false),
         (Some(71), _) => (b"XZIABDUHLEJQ", &[], false),
         (Some(72), _) => (b"XZKABDWHLEJQ", &[], false),
+        (Some(136 | 137), _) => (b"C", &[], false),
         (Some(_), _) => (b"XZAL", &[], false),
+        // E100L-CSC-02, E100L-CSC-05.
+        (None, Modes::NO_CODE) => (b"", &[], false),
+        (None, 0 | 1) if converts => (b"XYZW", &[], false),
+        (None, 101) => (if converts { b"XYZ" } else { b"XZC" }, &[], false),
+        (None, 102 | 103) => (if converts { b"XYL" } else { b"XCL" }, &[], false),
+        (None, 132 | 133) => (b"XZCL", &[], false),
         // E100L-NRC-23, E100L-NRC-69: the imaginary point.
         (None, 0 | 1) if compensation != Change::Stays => (b"XZCWAIK", &["QA"], false),
         (None, 0 | 1) => (b"XZCWA", &["QA"], false),

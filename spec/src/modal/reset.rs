@@ -3,14 +3,14 @@
 use crate::controls::e100l::g_codes::GGroup;
 use crate::emission::Emission;
 use crate::frame::Amounts;
-use crate::state::State;
+use crate::state::{Modes, State};
 use crate::thread;
 use crate::turret::OwnData;
 use crate::vocabulary::rule_ids::*;
 use crate::vocabulary::{Action, FrameCause, Label, RuleSet, Side};
 
 /// The groups that a reset changes, in its order, and the rules that say so.
-const RESET: [(GGroup, RuleSet); 8] = [
+const RESET: [(GGroup, RuleSet); 9] = [
     (GGroup::Motion, RuleSet::of(&[MCODE_04])),
     (GGroup::Dimension, RuleSet::of(&[MCODE_04, ABS_01])),
     (GGroup::FeedUnit, RuleSet::of(&[MCODE_04, FEED_01])),
@@ -19,13 +19,15 @@ const RESET: [(GGroup, RuleSet); 8] = [
     (GGroup::Droop, RuleSet::of(&[MCODE_04])),
     (GGroup::Compensation, RuleSet::of(&[MCODE_04, NRC_01])),
     (GGroup::Plane, RuleSet::of(&[MCODE_04, CRC_04])),
+    (GGroup::Conversion, RuleSet::of(&[MCODE_04, CSC_01])),
 ];
 
 /// Resets the modes, the turret and the zero shift, and without an event the areas and the comment of the user task and
-/// what a thread keeps; the events of what changes.
+/// what threads and coordinate conversion keep; the events of what changes.
 pub fn reset(state: &mut State) -> Vec<Emission> {
     state.memory.reset();
     state.thread = thread::Kept::default();
+    state.contour.end_conversion();
     let mut emissions = Vec::new();
     for (group, rules) in RESET {
         let (active, initial) = (state.modes.get(group), group.initial());
@@ -69,7 +71,8 @@ pub fn mode(group: GGroup, code: u16, previous: u16) -> Action {
     Action::Mode {
         group: Label::new(group.name()),
         code: Label::of_code(b'G', code),
-        previous: Label::of_code(b'G', previous),
+        // E100L-CSC-05: none was in force.
+        previous: if previous == Modes::NO_CODE { Label::default() } else { Label::of_code(b'G', previous) },
         angle: None,
     }
 }

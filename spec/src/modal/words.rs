@@ -83,7 +83,8 @@ impl Words {
 
     /// The one-shot G code of the block.
     pub fn one_shot(&self) -> Option<u16> {
-        self.g.iter().copied().find(|code| g_code(*code) == GCode::Modelled(GGroup::OneShot))
+        let is_one = |code: &u16| matches!(g_code(*code), GCode::Modelled(group) if group.is_one_shot());
+        self.g.iter().copied().find(is_one)
     }
 }
 
@@ -149,6 +150,10 @@ fn add(
             words.feed = Some(given.value);
             return Ok(());
         }
+        // E100L-CSC-02.
+        Address::Letter(b'Y') if !state.modes.converting() => {
+            return fail(AlarmName::AddressUnknown, ADDR_01);
+        }
         _ => amount(address, &given, state.setup)?,
     };
     if address == Address::Letter(b'J') {
@@ -160,14 +165,14 @@ fn add(
 }
 
 fn is_length(address: Address) -> bool {
-    matches!(address, Address::Letter(b'X' | b'Z' | b'I' | b'K' | b'D' | b'U' | b'H' | b'L' | b'W'))
+    matches!(address, Address::Letter(b'X' | b'Y' | b'Z' | b'I' | b'K' | b'D' | b'U' | b'H' | b'L' | b'W'))
 }
 
 /// E100L-ADDR-01: the value of a word in its small unit, within the range of its address.
 fn amount(address: Address, given: &Given, setup: &Setup) -> Outcome<i64> {
     let system = setup.unit_system;
     match address {
-        Address::Letter(b'X' | b'Z' | b'I' | b'K' | b'L') => length(given, true, setup),
+        Address::Letter(b'X' | b'Y' | b'Z' | b'I' | b'K' | b'L') => length(given, true, setup),
         Address::Letter(b'W') => length(given, setup.options.w_axis, setup),
         Address::Letter(b'D' | b'U' | b'H') => length(given, false, setup),
         Address::Letter(b'C') => angle(given, 359_999_000, setup),
@@ -265,7 +270,8 @@ fn add_g(given: &Given, setup: &Setup, words: &mut Words) -> Outcome<()> {
     if code == 90 && words.has_g(91) || code == 91 && words.has_g(90) {
         return fail(AlarmName::AbsoluteAndIncremental, ABS_04);
     }
-    if words.g.iter().any(|other| g_code(*other) == GCode::Modelled(group)) {
+    let conflicts = |other: GGroup| other == group || other.is_one_shot() && group.is_one_shot();
+    if words.g.iter().any(|other| matches!(g_code(*other), GCode::Modelled(other) if conflicts(other))) {
         return fail(AlarmName::GCodesConflict, GCODE_04);
     }
     words.g.push(code);

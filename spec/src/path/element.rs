@@ -129,7 +129,8 @@ pub fn check_range(target: Amounts, axes: Axes, setup: &Setup) -> Outcome<()> {
 pub fn coordinate_rules(plan: &Plan) -> RuleSet {
     let incremental = plan.modes.incremental();
     let mut rules = RuleSet::of(&[COORD_03, if incremental { ABS_02 } else { ABS_01 }]);
-    if plan.words.get('X').is_some() {
+    // E100L-CSC-02: in conversion mode X is a length of the face.
+    if plan.words.get('X').is_some() && !plan.converts {
         rules = rules.with(DIA_01);
         if incremental {
             rules = rules.with(ABS_03);
@@ -202,8 +203,10 @@ pub fn with_speed(mut event: Emission, rapid: bool, state: &State) -> Emission {
     match motion_speed(state.frame.program().x, state) {
         None => event,
         Some(speed) => {
-            if let Action::Rapid { motion } | Action::Linear { motion, .. } | Action::Arc { motion, .. } =
-                &mut event.action
+            if let Action::Rapid { motion }
+            | Action::Linear { motion, .. }
+            | Action::Arc { motion, .. }
+            | Action::ContourArc { motion, .. } = &mut event.action
             {
                 motion.speed = Some(speed.speed);
             }
@@ -257,6 +260,7 @@ pub fn carry_out(element: &Element, way: Way, plan: &Plan, state: &mut State) ->
     if plan.moves {
         state.cut_last = feed.is_some();
     }
+    state.contour.wind(element.axes.c);
     let motion = standing(element.axes.c, state);
     let rules = element.rules.union(coordinate_rules(plan));
     let readings = element.readings.union(coordinate_readings(plan, state.setup));

@@ -12,8 +12,8 @@ mod torque_skip;
 pub use angle::{Inclination, x_at, z_at};
 use chamfer::chamfer;
 pub use element::{
-    Axes, Element, LINEAR, Shape, Tested, Way, carry_out, coordinate_readings, coordinate_rules, event,
-    feed_path, standing, with_speed,
+    Axes, Element, LINEAR, Shape, Tested, Way, carry_out, check_range, coordinate_readings, coordinate_rules,
+    event, feed_path, standing, with_speed,
 };
 pub use plane::{Point, Vector};
 use straight::straight;

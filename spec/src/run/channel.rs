@@ -5,6 +5,7 @@ use super::reading::{self, Block, Content, Reader};
 use super::statement::Carried;
 use super::{Progress, Texts};
 use crate::compensation::{Compensation, Stream};
+use crate::contour;
 use crate::emission::Emission;
 use crate::fault::Outcome;
 use crate::modal::{self, Before, Plan, Words};
@@ -198,6 +199,9 @@ impl<'a> Channel<'a> {
                 path::torque_skip(plan, &mut self.state, &mut stream.emissions)?;
             }
             None if plan.is_thread() => thread::cut(plan, &mut self.state, &mut stream.emissions)?,
+            None if contour::has_own_motions(plan) => {
+                contour::carry_out(plan, &mut self.state, &mut stream.emissions)?;
+            }
             _ if plan.moves => {
                 let ahead = self.look_ahead(plan)?;
                 elements = path::elements(plan, &ahead, &mut self.state)?;

@@ -1,7 +1,7 @@
 //! Addresses, and the words that are no addresses.
 
 /// Address letters of E100L-ADDR-01 that carry a value.
-pub const LETTERS: &[u8] = b"ABCDEFGHIJKLMPQSTUWXZ";
+pub const LETTERS: &[u8] = b"ABCDEFGHIJKLMPQSTUWXYZ";
 
 /// Extended addresses that are modelled (E100L-FMT-03).
 pub const EXTENDED: &[&str] = &["SB", "SA", "QA", "PZ", "PW"];

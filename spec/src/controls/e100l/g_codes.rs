@@ -3,7 +3,7 @@
 /// Groups of G codes; one code a group may stand in a block, and modal groups keep theirs.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub enum GGroup {
-    /// G00 G01 G02 G03 G31 G32 G33 G34 G35.
+    /// G00 G01 G02 G03 G31 G32 G33 G34 G35 G101 G102 G103 G132 G133.
     Motion,
     /// G17 G18 G119.
     Plane,
@@ -21,13 +21,15 @@ pub enum GGroup {
     Droop,
     /// G13 G14.
     Turret,
+    /// G136 G137: kept, but in their block as a one-shot code.
+    Conversion,
     /// G04 G22 G28 G29 G50 G71 G72 G75 G76: act in their block only.
     OneShot,
 }
 
 impl GGroup {
     /// The modal groups.
-    pub const MODAL: [Self; 9] = [
+    pub const MODAL: [Self; 10] = [
         Self::Motion,
         Self::Plane,
         Self::Compensation,
@@ -37,6 +39,7 @@ impl GGroup {
         Self::CssTurret,
         Self::Droop,
         Self::Turret,
+        Self::Conversion,
     ];
 
     /// Name in the trace.
@@ -51,6 +54,7 @@ impl GGroup {
             Self::CssTurret => "css_turret",
             Self::Droop => "droop",
             Self::Turret => "turret",
+            Self::Conversion => "conversion",
             Self::OneShot => "one_shot",
         }
     }
@@ -67,7 +71,13 @@ impl GGroup {
             Self::CssTurret => 110,
             Self::Droop => 64,
             Self::Turret => 13,
+            Self::Conversion => 136,
         }
+    }
+
+    /// Whether its codes are one group with the one-shot codes (E100L-GCODE-04).
+    pub fn is_one_shot(self) -> bool {
+        matches!(self, Self::OneShot | Self::Conversion)
     }
 }
 
@@ -89,7 +99,7 @@ pub enum GCode {
 /// Looks a G code up.
 pub fn g_code(code: u16) -> GCode {
     let group = match code {
-        0..=3 | 31..=35 => GGroup::Motion,
+        0..=3 | 31..=35 | 101..=103 | 132 | 133 => GGroup::Motion,
         4 | 22 | 28 | 29 | 50 | 71 | 72 | 75 | 76 => GGroup::OneShot,
         13 | 14 => GGroup::Turret,
         17 | 18 | 119 => GGroup::Plane,
@@ -99,11 +109,11 @@ pub fn g_code(code: u16) -> GCode {
         94 | 95 => GGroup::FeedUnit,
         96 | 97 => GGroup::CuttingSpeed,
         110 | 111 => GGroup::CssTurret,
+        136 | 137 => GGroup::Conversion,
         19 | 20 | 21 | 30 | 36 | 37 | 62 | 100 | 107 | 108 | 122 | 123 | 140..=143 | 152 | 191 => {
             return GCode::Unspecified;
         }
-        73 | 74 | 77 | 78 | 80..=88 | 101..=103 | 112 | 113 | 132 | 133 => return GCode::Later,
-        136..=138 | 178..=190 | 312 | 313 => return GCode::Later,
+        73 | 74 | 77 | 78 | 80..=88 | 112 | 113 | 138 | 178..=190 => return GCode::Later,
         161..=171 | 205..=214 => return GCode::Macro,
         _ => return GCode::Unassigned,
     };

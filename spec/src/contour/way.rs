@@ -1,0 +1,118 @@
+//! Where a block of the face leads from and to, and how both ends lie about the centre.
+
+use super::plane::PlanePoint;
+use super::position;
+use crate::fault::{Fault, Outcome};
+use crate::integer::turn;
+use crate::modal::Plan;
+use crate::state::State;
+use crate::vocabulary::AlarmName;
+use crate::vocabulary::rule_ids::*;
+
+/// An end of the way.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct End {
+    /// As a point of the face.
+    pub point: PlanePoint,
+    /// Program X.
+    pub x: i64,
+    /// Program C, in a full turn.
+    pub c: i64,
+    /// Whether it is the centre of the face.
+    pub is_centre: bool,
+}
+
+/// The way of a face block.
+#[derive(Clone, Copy, Debug)]
+pub struct Way {
+    /// Where it starts.
+    pub start: End,
+    /// Where it ends.
+    pub end: End,
+    /// Where Z starts and ends.
+    pub z: (i64, i64),
+    /// Whether X and Y are written instead of X and C.
+    pub converts: bool,
+}
+
+/// How the end lies, seen from the centre, to the start; neither is the centre.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Bearing {
+    /// On the same ray.
+    Same,
+    /// On the opposite ray.
+    Opposite,
+    /// Forward, by less than half a turn of C.
+    Forward,
+    /// Backward.
+    Backward,
+}
+
+impl End {
+    fn of_axes(x: i64, c: i64) -> Self {
+        Self { point: PlanePoint::at(x, c), x, c, is_centre: x == 0 }
+    }
+
+    fn of_point(point: PlanePoint, (x, c): (i64, i64)) -> Self {
+        Self { point, x, c, is_centre: point == PlanePoint::CENTRE }
+    }
+}
+
+impl Way {
+    /// The way of a block.
+    pub fn of(plan: &Plan, state: &State) -> Outcome<Self> {
+        let present = state.frame.program();
+        let target = |letter, present: i64| match plan.words.get(letter) {
+            None => present,
+            Some(word) if plan.modes.incremental() => present + word,
+            Some(word) => word,
+        };
+        let z = (present.z, target('Z', present.z));
+        let converts = plan.converts;
+        if !converts {
+            let c = turn::within(target('C', present.c));
+            let (start, end) = (End::of_axes(present.x, present.c), End::of_axes(target('X', present.x), c));
+            return Ok(Self { start, end, z, converts });
+        }
+        // E100L-CGF-14: from the point that was programmed.
+        let kept = state.contour.point(&state.frame);
+        let (Some(from), Some(to)) = (kept, position::target(plan, kept)) else {
+            return Err(Fault::about(AlarmName::Unspecified, CGF_14, "start"));
+        };
+        let start = End::of_point(from, (present.x, present.c));
+        Ok(Self { start, end: End::of_point(to, position::axes(to, state)), z, converts })
+    }
+
+    /// E100L-CGF-06, E100L-CGF-14: decided by the programmed points in conversion mode, else by the angles.
+    pub fn bearing(&self) -> Bearing {
+        let (start, end) = (self.start.point, self.end.point);
+        let (cross, dot) = (start.cross(end), start.dot(end));
+        let half = turn::FULL_TURN / 2;
+        match (self.converts, self.forward()) {
+            (false, 0) => Bearing::Same,
+            (false, forward) if forward == half => Bearing::Opposite,
+            (false, forward) if forward < half => Bearing::Forward,
+            (false, _) => Bearing::Backward,
+            (true, _) if cross > 0 => Bearing::Forward,
+            (true, _) if cross < 0 => Bearing::Backward,
+            (true, _) if dot > 0 => Bearing::Same,
+            (true, _) => Bearing::Opposite,
+        }
+    }
+
+    /// The positive turn from start to end.
+    pub fn forward(&self) -> i64 {
+        turn::travel(self.start.c, self.end.c, 0, true)
+    }
+
+    /// The negative turn.
+    pub fn backward(&self) -> i64 {
+        turn::travel(self.start.c, self.end.c, 0, false)
+    }
+
+    /// E100L-CGF-10: the shorter turn, the positive one of 180 degrees.
+    pub fn shorter(&self) -> i64 {
+        let forward = self.forward();
+        if forward <= turn::FULL_TURN / 2 { forward } else { self.backward() }
+    }
+}
