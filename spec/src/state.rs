@@ -4,6 +4,7 @@ use crate::barrier::Watch;
 use crate::controls::e100l::g_codes::GGroup;
 use crate::controls::e100l::m_codes::GROUPS;
 use crate::controls::e100l::system_variables::Axis;
+use crate::cycle;
 use crate::frame::{self, Frame, Limits, TravelLimit};
 use crate::path::Point;
 use crate::saddle::Saddle;
@@ -52,6 +53,8 @@ pub struct State<'a> {
     pub angle_target: Option<Point>,
     /// The thread that goes on in the next block.
     pub thread: thread::Kept,
+    /// The cycle of a driven tool that goes on in the next block.
+    pub cycle: cycle::Kept,
 }
 
 /// The modal G codes, in the order of the groups.
@@ -88,6 +91,8 @@ pub struct SpindleStore {
     pub tool: SpindleState,
     /// SB.
     pub tool_speed: i64,
+    /// SA, once it was programmed.
+    pub c_axis_speed: Option<i64>,
 }
 
 /// The programmed corner of the chamfer block before (X as a diameter, Z).
@@ -125,6 +130,7 @@ impl<'a> State<'a> {
             saddle: None,
             angle_target: None,
             thread: thread::Kept::default(),
+            cycle: cycle::Kept::default(),
         }
     }
 

@@ -5,6 +5,7 @@ use super::function::every_word_has_a_function;
 use super::machine::check_reference;
 use super::words::Words;
 use crate::controls::e100l::g_codes::{GCode, GGroup, g_code};
+use crate::cycle::{self, CycleBlock};
 use crate::fault::{Fault, Outcome, fail};
 use crate::state::{Modes, State};
 use crate::thread;
@@ -22,6 +23,8 @@ pub struct Plan {
     pub one_shot: Option<u16>,
     /// What it does to radius compensation.
     pub compensation: Change,
+    /// What it is in a cycle of driven tools.
+    pub cycle: Option<CycleBlock>,
     /// Whether it moves axes.
     pub moves: bool,
 }
@@ -50,7 +53,7 @@ impl Plan {
 
     /// Whether it cuts a thread in a motion mode, G31 to G35.
     pub fn is_thread(&self) -> bool {
-        self.moves && self.one_shot.is_none() && thread::is_mode(self.motion())
+        self.moves && self.one_shot.is_none() && self.cycle.is_none() && thread::is_mode(self.motion())
     }
 
     /// Whether it is a compound thread cycle.
@@ -58,9 +61,15 @@ impl Plan {
         matches!(self.one_shot, Some(71 | 72))
     }
 
+    /// Whether it is a fixed cycle: G71 to G74, G77, G78, or a block of a cycle of driven tools.
+    pub fn has_passes(&self) -> bool {
+        let grooves_or_taps = cycle::is_groove(self.one_shot) || cycle::is_tapping(self.one_shot);
+        self.is_compound() || grooves_or_taps || self.cycle.is_some()
+    }
+
     /// Whether it is a motion that modal calls come after (E100L-MODIN-03).
     pub fn triggers(&self) -> bool {
-        self.moves && !matches!(self.one_shot, Some(22 | 71 | 72)) && self.words.has_any("XZ")
+        self.moves && self.one_shot != Some(22) && !self.has_passes() && self.words.has_any("XZ")
     }
 
     /// Whether an angle is all that it says of its end point (E100L-ANG-06).
@@ -89,13 +98,17 @@ pub fn check(words: Words, before: Before, state: &State) -> Outcome<Plan> {
     let compensation = change(before.modes, modes);
     let motion = modes.get(GGroup::Motion);
     let one_shot = words.one_shot();
+    let cycle = CycleBlock::of(&words, before.modes, modes);
+    let words = cycle::synchronised_words(words, cycle, setup);
     stands_alone(&words)?;
+    cycle::refuse(&words, cycle, before.modes, modes, state)?;
     // The S of a G50 block is its clamp.
     let has_speed = words.get('S').is_some() && one_shot != Some(50);
     if (words.has_g(96) || words.has_g(97)) && !has_speed {
         return fail(AlarmName::CuttingSpeedMissing, CSS_03);
     }
-    let is_thread = one_shot.is_none() && thread::is_mode(motion) && is_motion(&words, motion);
+    let is_thread =
+        one_shot.is_none() && cycle.is_none() && thread::is_mode(motion) && is_motion(&words, motion);
     thread::not_in_constant_speed(&words, modes, is_thread.then_some(motion))?;
     check_reference(&words, modes, setup)?;
     let mut moves = false;
@@ -111,6 +124,14 @@ pub fn check(words: Words, before: Before, state: &State) -> Outcome<Plan> {
             moves = true;
         }
         Some(50) => zero_shift(&words, setup)?,
+        Some(code @ (73 | 74)) => {
+            cycle::check_groove(code, &words, modes, state)?;
+            moves = true;
+        }
+        Some(77 | 78) => {
+            cycle::check_tapping(&words, modes)?;
+            moves = true;
+        }
         Some(code @ (75 | 76)) => {
             chamfer(code, &words, motion, setup)?;
             if before.modal && words.has_any("XZ") {
@@ -118,6 +139,10 @@ pub fn check(words: Words, before: Before, state: &State) -> Outcome<Plan> {
                 return Err(Fault::about(AlarmName::Unspecified, MODIN_02, detail.as_str()));
             }
             path(&words, motion, before.after_angle, setup)?;
+            moves = true;
+        }
+        None if let Some(block) = cycle => {
+            cycle::check_block(&words, block, state)?;
             moves = true;
         }
         None if is_thread => {
@@ -131,8 +156,9 @@ pub fn check(words: Words, before: Before, state: &State) -> Outcome<Plan> {
         }
         Some(_) | None => {}
     }
-    every_word_has_a_function(&words, one_shot, motion, compensation)?;
-    let plan = Plan { words, modes, one_shot, compensation, moves };
+    every_word_has_a_function(&words, one_shot, motion, compensation, cycle, state)?;
+    let plan = Plan { words, modes, one_shot, compensation, cycle, moves };
+    cycle::not_in_compensation(&plan, before)?;
     thread::not_in_compensation(&plan, before)?;
     compensation::check(&plan, before, state.c_joined())?;
     Ok(plan)
@@ -159,13 +185,14 @@ fn select(words: &Words, mut modes: Modes) -> Modes {
 /// E100L-MCODE-24, E100L-MCODE-36, E100L-MCODE-37: codes that must stand alone.
 fn stands_alone(words: &Words) -> Outcome<()> {
     let count = words.g.len() + words.m.len() + words.others.len() + usize::from(words.feed.is_some());
-    if count == 1 && !words.assigns {
+    let is_alone = count == 1 && !words.assigns;
+    if is_alone {
         return Ok(());
     }
     let alone = [(110, MCODE_24), (193, MCODE_36), (195, MCODE_37), (196, MCODE_37)];
     match alone.iter().find(|(code, _)| words.m.contains(code)) {
         Some((_, rule)) => fail(AlarmName::NotAlone, *rule),
-        None => Ok(()),
+        None => cycle::stands_alone(words, is_alone),
     }
 }
 

@@ -202,8 +202,10 @@ pub fn with_speed(mut event: Emission, rapid: bool, state: &State) -> Emission {
     match motion_speed(state.frame.program().x, state) {
         None => event,
         Some(speed) => {
-            if let Action::Rapid { motion } | Action::Linear { motion, .. } | Action::Arc { motion, .. } =
-                &mut event.action
+            if let Action::Rapid { motion }
+            | Action::Linear { motion, .. }
+            | Action::Arc { motion, .. }
+            | Action::Thread { motion, .. } = &mut event.action
             {
                 motion.speed = Some(speed.speed);
             }

@@ -21,13 +21,15 @@ pub enum GGroup {
     Droop,
     /// G13 G14.
     Turret,
-    /// G04 G22 G28 G29 G50 G71 G72 G75 G76: act in their block only.
+    /// G178 to G190.
+    Cycle,
+    /// G04 G22 G28 G29 G50 G71 to G78: act in their block only.
     OneShot,
 }
 
 impl GGroup {
     /// The modal groups.
-    pub const MODAL: [Self; 9] = [
+    pub const MODAL: [Self; 10] = [
         Self::Motion,
         Self::Plane,
         Self::Compensation,
@@ -37,6 +39,7 @@ impl GGroup {
         Self::CssTurret,
         Self::Droop,
         Self::Turret,
+        Self::Cycle,
     ];
 
     /// Name in the trace.
@@ -51,6 +54,7 @@ impl GGroup {
             Self::CssTurret => "css_turret",
             Self::Droop => "droop",
             Self::Turret => "turret",
+            Self::Cycle => "cycle",
             Self::OneShot => "one_shot",
         }
     }
@@ -67,6 +71,7 @@ impl GGroup {
             Self::CssTurret => 110,
             Self::Droop => 64,
             Self::Turret => 13,
+            Self::Cycle => 180,
         }
     }
 }
@@ -90,7 +95,7 @@ pub enum GCode {
 pub fn g_code(code: u16) -> GCode {
     let group = match code {
         0..=3 | 31..=35 => GGroup::Motion,
-        4 | 22 | 28 | 29 | 50 | 71 | 72 | 75 | 76 => GGroup::OneShot,
+        4 | 22 | 28 | 29 | 50 | 71..=78 => GGroup::OneShot,
         13 | 14 => GGroup::Turret,
         17 | 18 | 119 => GGroup::Plane,
         40..=42 => GGroup::Compensation,
@@ -99,11 +104,12 @@ pub fn g_code(code: u16) -> GCode {
         94 | 95 => GGroup::FeedUnit,
         96 | 97 => GGroup::CuttingSpeed,
         110 | 111 => GGroup::CssTurret,
+        178..=190 => GGroup::Cycle,
         19 | 20 | 21 | 30 | 36 | 37 | 62 | 100 | 107 | 108 | 122 | 123 | 140..=143 | 152 | 191 => {
             return GCode::Unspecified;
         }
-        73 | 74 | 77 | 78 | 80..=88 | 101..=103 | 112 | 113 | 132 | 133 => return GCode::Later,
-        136..=138 | 178..=190 | 312 | 313 => return GCode::Later,
+        80..=88 | 101..=103 | 112 | 113 | 132 | 133 => return GCode::Later,
+        136..=138 => return GCode::Later,
         161..=171 | 205..=214 => return GCode::Macro,
         _ => return GCode::Unassigned,
     };
