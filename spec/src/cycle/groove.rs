@@ -85,7 +85,7 @@ impl Groove {
             axis,
             start,
             level,
-            pecks: Peck::new(axis, level, direction, bottom, amounts),
+            pecks: Peck::new(axis, level, bottom, amounts),
             places: (first, last),
             step: sideways * word(step),
             place: first,

@@ -14,8 +14,7 @@ use crate::vocabulary::rule_ids::*;
 use crate::vocabulary::{AlarmName, Part, RuleId};
 
 /// What a block does; its words are kept.
-pub fn begin(block: CycleBlock, plan: &Plan, state: &mut State) -> Outcome<Vec<Act>> {
-    let Some(mode) = state.cycle.mode else { return Err(depth(MCYC_05)) };
+pub fn begin(block: CycleBlock, mode: &mut Mode, plan: &Plan, state: &State) -> Outcome<Vec<Act>> {
     let CycleBlock { code, role } = block;
     let kept = mode.words;
     let (axis, approach, taper) = match code {
@@ -42,7 +41,7 @@ pub fn begin(block: CycleBlock, plan: &Plan, state: &mut State) -> Outcome<Vec<A
         if direction * (end - start.0) <= approach {
             return Err(depth(MCYC_05));
         }
-        state.cycle.mode = Some(Mode { direction, ..mode });
+        mode.direction = direction;
         let from = start.0 + direction * approach;
         // The first block without a C word leaves C where it is.
         let named = role == Role::FollowUp || plan.words.get('C').is_some();

@@ -1,43 +1,40 @@
 //! The holes of a block: place, approach, clamp, what the cycle does at the bottom, return (E100L-MCYC-07, E100L-MCYC-08,
-//! E100L-MCYC-15 to -20, E100L-G181-01 to E100L-G184-02, E100L-G189-01, E100L-STAP-01 to -04).
+//! E100L-MCYC-15 to -20, E100L-G181-01 to E100L-G184-02, E100L-G189-01).
 
 use super::act::Act;
 use super::block::{CycleBlock, Role, is_synchronised};
 use super::cited::{Cites, is_unclamped};
-use super::kept::Mode;
+use super::kept::{KeptWords, Mode};
 use super::key_way::KeyWay;
+use super::levels::Levels;
 use super::motion::{Axis, Go, Manner, Turn};
 use super::peck::{Amounts, Peck, retract};
-use crate::fault::{Fault, Outcome};
-use crate::modal::{Plan, active_feed};
+use super::synchronised::Tap;
+use crate::fault::Outcome;
+use crate::modal::Plan;
 use crate::quantity::{round_narrow, whole};
 use crate::state::State;
 use crate::thread::Cited;
-use crate::vocabulary::rule_ids::*;
-use crate::vocabulary::{AlarmName, ChipDischarge, CycleReturn, Duration, Part};
+use crate::vocabulary::{ChipDischarge, CycleReturn, Duration, Part, Setup};
 
 /// Holes that are left, in program coordinates in nanometres.
 #[derive(Clone, Debug)]
 pub struct Holes {
     block: CycleBlock,
-    synchronised: bool,
-    /// The axis of the infeed.
-    axis: Axis,
-    /// Where the cut begins, where it ends, and where the tool returns to.
-    level: i64,
-    bottom: i64,
+    levels: Levels,
+    /// Where the tool returns to.
     back: i64,
-    /// The word of the position axis, and the C word.
+    /// The word of the position axis.
     place: Option<i64>,
+    /// The C word, and where C stands at the start of the block.
     angle: Option<i64>,
-    /// Where C stands at the start of the block, if there is no C word.
     present_angle: i64,
     /// Whether C turns in the positive direction (E100L-CAX-05).
     positive: bool,
     clamps: bool,
     dwell: Option<Duration>,
-    /// The manner of a tap, there and back.
-    tap: Manner,
+    /// The thread of a synchronised tap.
+    tap: Option<Tap>,
     work: Work,
     count: i64,
     /// Which hole it is, from 0.
@@ -46,10 +43,10 @@ pub struct Holes {
     cites: Cites,
 }
 
-/// What is done at the bottom in passes.
+/// What is done at the bottom.
 #[derive(Clone, Debug)]
 enum Work {
-    /// It goes down once.
+    /// It is reached once.
     Once,
     /// E100L-G183-01.
     Pecks(Peck),
@@ -68,71 +65,31 @@ enum Stage {
 
 impl Holes {
     /// The holes of a block, before the first motion; its words are kept.
-    pub fn begin(block: CycleBlock, plan: &Plan, state: &mut State) -> Outcome<Self> {
-        let Some(mode) = state.cycle.mode else { return Err(depth()) };
-        let CycleBlock { code, role } = block;
-        let kept = mode.words;
-        let axis = if kept.i.is_some() { Axis::X } else { Axis::Z };
-        let (bottom_word, approach) = match axis {
-            Axis::X => (kept.x, kept.i),
-            Axis::Z => (kept.z, kept.k),
-        };
-        let approach = approach.unwrap_or(0);
-        let cycle_start = state.frame.to_program(mode.start);
-        let start = axis.of(cycle_start);
-        let direction = match role {
-            // E100L-MCYC-22: the sign of R is the direction.
-            Role::First => kept.r.unwrap_or_else(|| bottom_word.unwrap_or(start) - start).signum(),
-            _ => mode.direction,
-        };
-        state.cycle.mode = Some(Mode { direction, ..mode });
-        let level = start + direction * approach;
-        let bottom = kept.r.map_or(bottom_word.unwrap_or(level), |depth| level + depth);
-        if direction * (bottom - level) <= 0 {
-            return Err(depth());
-        }
-        // E100L-MCYC-21.
-        state.cycle.spent |= plan.words.get('Q').is_some();
-        let has = |code| plan.words.m.contains(&code);
-        let cites = Cites::of_holes(block, axis, kept.r.is_some(), plan, state.setup);
+    pub fn begin(block: CycleBlock, mode: &mut Mode, plan: &Plan, state: &State) -> Outcome<Self> {
+        let CycleBlock { code, .. } = block;
+        let levels = Levels::of(block, mode, state)?;
+        let kept = &mode.words;
+        let cites = Cites::of_holes(block, levels.axis, kept.r.is_some(), plan, state.setup);
         let work = match code {
-            183 => {
-                let discharge_level = match state.setup.readings.chip_discharge {
-                    ChipDischarge::CuttingStart => level,
-                    ChipDischarge::CycleStart => start,
-                };
-                let amounts = Amounts {
-                    infeed: kept.d.unwrap_or(0),
-                    discharge: kept.l,
-                    retract: retract(state.setup.parameters.drilling_retract.0, axis, state.setup),
-                    withdrawal: discharge_level,
-                };
-                Work::Pecks(Peck::new(axis, level, direction, bottom, amounts))
-            }
-            190 => {
-                let slot = axis.other().of(cycle_start);
-                Work::Ways(Box::new(KeyWay::begin(
-                    &mode, axis, level, direction, bottom, slot, cites, state,
-                )?))
-            }
+            183 => Work::Pecks(pecks(kept, &levels, state.setup)),
+            190 => Work::Ways(Box::new(KeyWay::begin(kept, &levels, cites, state)?)),
             _ => Work::Once,
         };
         let synchronised = is_synchronised(code, state.setup);
-        let returns_far = has(136) || state.setup.parameters.cycle_return == CycleReturn::CycleStart;
+        // E100L-MCYC-15.
+        let by_parameter = state.setup.parameters.cycle_return == CycleReturn::CycleStart;
+        let to_start = by_parameter || plan.words.m.contains(&136);
         Ok(Self {
             block,
-            synchronised,
-            axis,
-            level,
-            bottom,
-            back: if returns_far { start } else { level },
-            place: plan.words.get(axis.other().letter()).filter(|_| code != 190),
+            levels,
+            back: if to_start { levels.start_level() } else { levels.cut },
+            place: plan.words.get(levels.axis.other().letter()).filter(|_| code != 190),
             angle: plan.words.get('C'),
             present_angle: state.frame.program().c,
             positive: state.is_active(15),
             clamps: !is_unclamped(plan),
             dwell: kept.e.filter(|_| code != 190 && !synchronised).map(Duration),
-            tap: if synchronised { tap(axis, state)? } else { Manner::Feed },
+            tap: if synchronised { Some(Tap::begin(block, &levels, state)?) } else { None },
             work,
             count: plan.words.get('Q').unwrap_or(1).max(1),
             number: 0,
@@ -173,15 +130,11 @@ impl Holes {
         let code = self.cites.code();
         let mut acts = vec![Act::Go(self.position(again))];
         if self.block.role == Role::First && !again {
-            acts.push(Act::Code(13, code));
-            if self.synchronised {
-                // E100L-STAP-02.
-                acts.pop();
-                acts.push(Act::Code(12, code));
-            }
+            // E100L-MCYC-10, E100L-STAP-02.
+            acts.push(Act::Code(if self.tap.is_some() { 12 } else { 13 }, code));
         }
         let cited = self.cites.motion(Part::Approach, again);
-        acts.push(self.rapid(self.level, Part::Approach, cited));
+        acts.push(self.rapid(self.levels.cut, Part::Approach, cited));
         if self.clamps {
             acts.push(Act::Code(147, code));
         }
@@ -197,7 +150,7 @@ impl Holes {
         } else {
             (self.place, self.angle)
         };
-        let (x, z) = match self.axis {
+        let (x, z) = match self.levels.axis {
             Axis::X => (None, place),
             Axis::Z => (place, None),
         };
@@ -211,14 +164,18 @@ impl Holes {
         let code = |code| Act::Code(code, self.cites.code());
         let unclamp = self.clamps.then(|| code(146));
         let cut = self.cites.motion(Part::Cut, false);
-        let down = [Act::Pass, self.along(self.bottom, Manner::Feed, Part::Cut, cut)];
+        let down = [Act::Pass, self.along(self.levels.bottom, Manner::Feed, Part::Cut, cut)];
         let dwell = self.dwell.map(|time| Act::Dwell(time, self.cites.dwell()));
         let back = self.rapid(self.back, Part::Return, self.cites.motion(Part::Return, false));
-        let up = self.along(self.level, Manner::Feed, Part::Exit, self.cites.motion(Part::Exit, false));
+        let up = self.along(self.levels.cut, Manner::Feed, Part::Exit, self.cites.motion(Part::Exit, false));
         let after_exit = self.rapid(self.back, Part::Return, self.cites.return_after_exit());
         let mut acts = Vec::new();
         match self.block.code {
-            _ if self.synchronised => return self.synchronised(unclamp, after_exit),
+            _ if let Some(tap) = &self.tap => {
+                acts.extend(tap.acts(&self.cites));
+                acts.extend(unclamp);
+                acts.push(after_exit);
+            }
             182 => {
                 acts.extend(down);
                 acts.extend(dwell);
@@ -260,29 +217,11 @@ impl Holes {
         acts
     }
 
-    /// E100L-STAP-02, E100L-STAP-03, E100L-STAP-04.
-    fn synchronised(&self, unclamp: Option<Act>, back: Act) -> Vec<Act> {
-        let (inward, outward) = if self.block.code == 179 { (14, 13) } else { (13, 14) };
-        let thread = |to, part| self.along(to, self.tap, part, self.cites.tap(part));
-        let cited = self.cites.code();
-        let mut acts = vec![
-            Act::Code(inward, cited),
-            Act::Pass,
-            thread(self.bottom, Part::Cut),
-            Act::Code(outward, cited),
-            thread(self.level, Part::Exit),
-            Act::Code(12, cited.and(Cited::rules(&[STAP_04]))),
-        ];
-        acts.extend(unclamp);
-        acts.push(back);
-        acts
-    }
-
     /// E100L-G190-02: back to the beginning of the slot.
     fn to_slot(&self) -> Option<Act> {
         let Work::Ways(ways) = &self.work else { return None };
         let cited = self.cites.back();
-        Some(Act::Go(Go::along(self.axis.other(), ways.start(), Manner::Rapid, Part::Return, cited)))
+        Some(Act::Go(Go::along(self.levels.axis.other(), ways.start(), Manner::Rapid, Part::Return, cited)))
     }
 
     fn rapid(&self, to: i64, part: Part, cited: Cited) -> Act {
@@ -290,24 +229,23 @@ impl Holes {
     }
 
     fn along(&self, to: i64, manner: Manner, part: Part, cited: Cited) -> Act {
-        Act::Go(Go::along(self.axis, to, manner, part, cited))
+        Act::Go(Go::along(self.levels.axis, to, manner, part, cited))
     }
 }
 
-fn depth() -> Fault {
-    Fault::about(AlarmName::Unspecified, MCYC_05, "depth")
-}
-
-/// E100L-STAP-01: the lead of a tap.
-fn tap(axis: Axis, state: &State) -> Outcome<Manner> {
-    let speed = state.spindle.tool_speed;
-    if speed == 0 {
-        return Err(Fault::about(AlarmName::Unspecified, STAP_01, "speed"));
-    }
-    let (feed, _) = active_feed(state)?;
-    let leads = state.feed.map_or(1, |feed| feed.leads).max(1);
-    let lead = whole(feed.value.0) / whole(leads);
-    // Thousandths of a revolution per minute.
-    let lead = if state.modes.per_minute() { lead * whole(1_000) / whole(speed) } else { lead };
-    Ok(Manner::Tap { axis, lead: round_narrow(&lead), start: state.cycle.start_angle })
+/// E100L-G183-01, E100L-G183-02.
+fn pecks(kept: &KeptWords, levels: &Levels, setup: &Setup) -> Peck {
+    let Levels { axis, cut, bottom, .. } = *levels;
+    let withdrawal = match setup.readings.chip_discharge {
+        ChipDischarge::CuttingStart => cut,
+        ChipDischarge::CycleStart => levels.start_level(),
+    };
+    let amounts = Amounts {
+        // A first block has D, and it is not zero.
+        infeed: kept.d.unwrap_or(levels.depth()),
+        discharge: kept.l,
+        retract: retract(setup.parameters.drilling_retract.0, axis, setup),
+        withdrawal,
+    };
+    Peck::new(axis, cut, bottom, amounts)
 }

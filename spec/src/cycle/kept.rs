@@ -65,10 +65,18 @@ impl Kept {
         }
     }
 
-    /// The words of a block replace what is kept; `present`: where the machine stands, `c`: its program C.
-    pub fn keep(&mut self, words: &Words, block: CycleBlock, present: Amounts, c: i64, setup: &Setup) {
-        let mode =
-            self.mode.get_or_insert(Mode { start: present, direction: 0, c, words: KeptWords::default() });
+    /// The words of a block replace what is kept, and Q allows nothing but G180; the mode then. `present`: where the
+    /// machine stands, `c`: its program C.
+    pub fn keep(
+        &mut self,
+        words: &Words,
+        block: CycleBlock,
+        present: Amounts,
+        c: i64,
+        setup: &Setup,
+    ) -> Mode {
+        let new = Mode { start: present, direction: 0, c, words: KeptWords::default() };
+        let mode = self.mode.get_or_insert(new);
         mode.c = words.get('C').unwrap_or(mode.c);
         if is_synchronised(block.code, setup) {
             self.start_angle = data::start_angle(words, setup).unwrap_or(self.start_angle);
@@ -77,6 +85,8 @@ impl Kept {
             mode.words.replace(words, words.get('D'));
         }
         mode.words.e = data::e_of(words, block.code, setup).or(mode.words.e);
+        self.spent |= words.get('Q').is_some();
+        *mode
     }
 }
 

@@ -2,7 +2,8 @@
 
 use super::act::Act;
 use super::cited::Cites;
-use super::kept::Mode;
+use super::kept::KeptWords;
+use super::levels::Levels;
 use super::motion::{Axis, Go, Manner};
 use super::peck::retract;
 use crate::fault::{Fault, Outcome};
@@ -43,19 +44,10 @@ pub struct KeyWay {
 }
 
 impl KeyWay {
-    /// The passes of a key way that begins at `start` on the slot axis.
-    #[allow(clippy::too_many_arguments)]
-    pub fn begin(
-        mode: &Mode,
-        axis: Axis,
-        level: i64,
-        direction: i64,
-        bottom: i64,
-        start: i64,
-        cites: Cites,
-        state: &State,
-    ) -> Outcome<Self> {
-        let kept = mode.words;
+    /// The passes of a key way, of which the words are kept.
+    pub fn begin(kept: &KeptWords, levels: &Levels, cites: Cites, state: &State) -> Outcome<Self> {
+        let Levels { axis, direction, cut: level, .. } = *levels;
+        let start = axis.other().of(levels.start);
         let (end, allowance, letter) = match axis {
             Axis::Z => (kept.x, kept.w, "W"),
             Axis::X => (kept.z, kept.u, "U"),
@@ -64,7 +56,7 @@ impl KeyWay {
         if end == start {
             return Err(Fault::about(AlarmName::Unspecified, G190_02, "slot"));
         }
-        let total = direction * (bottom - level);
+        let total = levels.depth();
         let height = total - allowance.unwrap_or(0);
         if height <= 0 {
             return Err(Fault::about(AlarmName::Unspecified, G190_07, letter));
@@ -97,8 +89,8 @@ impl KeyWay {
 
     /// The next pass, with the way to the one behind it; none when all are cut.
     pub fn next(&mut self) -> Option<Vec<Act>> {
-        let finishing = self.count < self.cut + 1;
         let number = self.cut + 1;
+        let finishing = number > self.count;
         if number > self.all() {
             return None;
         }

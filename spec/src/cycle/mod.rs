@@ -3,7 +3,7 @@
 //!
 //! [`block`] says what a block is in a cycle mode, [`refuse`] and [`data`] what is refused, [`function`] which words are
 //! taken, [`kept`] what goes on in the next block. [`work`] carries a block out, pass by pass: a [`groove`], a [`tapping`]
-//! with the main spindle, [`hole`]s with [`peck`]s or as [`key_way`]s, or a [`helix`]. [`act`] and [`motion`] make the
+//! with the main spindle, [`hole`]s (between their [`levels`], with [`peck`]s, [`synchronised`], or as [`key_way`]s), or a [`helix`]. [`act`] and [`motion`] make the
 //! events, [`cited`] the rules that those of driven tools cite.
 
 mod act;
@@ -16,9 +16,11 @@ mod helix;
 mod hole;
 mod kept;
 mod key_way;
+mod levels;
 mod motion;
 mod peck;
 mod refuse;
+mod synchronised;
 mod tapping;
 mod work;
 

@@ -38,8 +38,8 @@ pub struct Amounts {
 
 impl Peck {
     /// Before the first one.
-    pub fn new(axis: Axis, level: i64, direction: i64, bottom: i64, amounts: Amounts) -> Self {
-        let total = direction * (bottom - level);
+    pub fn new(axis: Axis, level: i64, bottom: i64, amounts: Amounts) -> Self {
+        let (direction, total) = ((bottom - level).signum(), (bottom - level).abs());
         Self { axis, level, direction, total, amounts, reached: 0, since: 0, number: 0 }
     }
 

@@ -15,7 +15,8 @@ const OWN_M: [u16; 8] = [136, 140, 141, 169, 211, 212, 213, 214];
 
 /// E100L-TAP-01: nothing stands in front of G77 and G78; `before`: the words in front of the code.
 pub fn stands_first(code: u16, before: &Words) -> Outcome<()> {
-    if is_tapping(Some(code)) && !(before.is_empty() && !before.assigns) {
+    let in_front = before.assigns || !before.is_empty();
+    if is_tapping(Some(code)) && in_front {
         return Err(about(AlarmName::StatementMisplaced, TAP_01, code));
     }
     Ok(())

@@ -95,14 +95,17 @@ fn of_cycle_block(block: CycleBlock, plan: &Plan, state: &mut State) -> Outcome<
         active_feed(state)?;
     }
     let (present, c) = (state.frame.machine, state.frame.program().c);
-    state.cycle.keep(&plan.words, block, present, c, state.setup);
+    let mut mode = state.cycle.keep(&plan.words, block, present, c, state.setup);
     if !machines {
         return Ok((Vec::new(), Rest::Nothing));
     }
-    if is_thread(block.code) {
-        return Ok((helix::begin(block, plan, state)?, Rest::Nothing));
-    }
-    Ok((Vec::new(), Rest::Holes(Box::new(Holes::begin(block, plan, state)?))))
+    let begun = if is_thread(block.code) {
+        (helix::begin(block, &mut mode, plan, state)?, Rest::Nothing)
+    } else {
+        (Vec::new(), Rest::Holes(Box::new(Holes::begin(block, &mut mode, plan, state)?)))
+    };
+    state.cycle.mode = Some(mode);
+    Ok(begun)
 }
 
 /// E100L-MCYC-11.
