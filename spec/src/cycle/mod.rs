@@ -1,7 +1,7 @@
 //! Grooving, drilling and tapping, and the cycles of driven tools: G73, G74, G77, G78, G178 to G190
 //! (execution-drilling.md), from the words of a block to its motions.
 //!
-//! [`block`] says what a block is in a cycle mode, [`refuse`] and [`data`] what is refused, [`function`] which words are
+//! [`block`] says what a block is in a cycle mode, [`mod@refuse`] and [`data`] what is refused, [`function`] which words are
 //! taken, [`kept`] what goes on in the next block. [`work`] carries a block out, pass by pass: a [`groove`], a [`tapping`]
 //! with the main spindle, [`hole`]s (between their [`levels`], with [`peck`]s, [`synchronised`], or as [`key_way`]s), or a [`helix`]. [`act`] and [`motion`] make the
 //! events, [`cited`] the rules that those of driven tools cite.
