@@ -52,8 +52,8 @@ const JOINED: &str = "M110\nG94 G00 X60 Z20 SB=400 F40\n";
 /// All that the events of a groove cite, and nothing else.
 #[test]
 fn grooves_cite_their_rules() {
-    let mut setup = Setup::default();
-    setup.tool_offset = vec![ToolOffset { number: 2, z: Length(1_000_000), ..ToolOffset::default() }];
+    let offset = ToolOffset { number: 2, z: Length(1_000_000), ..ToolOffset::default() };
+    let setup = Setup { tool_offset: vec![offset], ..Setup::default() };
     let program = "G00 X60 Z-10\nG91 G73 X-8 Z-2 I2 K5 D2 L4 E1 F0.1\nG90 G73 X54 Z-16 K9 D9 T0002\nM02\n";
     let found = cited(program, &setup);
     let all = "COORD-03 ABS-02 ABS-03 DIA-01 GRV-01";

@@ -5,11 +5,11 @@ use super::motion::Axis;
 use crate::modal::Plan;
 use crate::thread::Cited;
 use crate::vocabulary::rule_ids::*;
-use crate::vocabulary::{Part, RuleSet, Setup};
+use crate::vocabulary::{Part, RuleId, RuleSet, Setup};
 
-/// What the `mode` event of a cycle code cites besides E100L-GCODE-02; nothing for other codes.
-pub fn mode_rules(code: u16) -> RuleSet {
-    let own: &[_] = match code {
+/// The rule of a cycle code; none for other codes.
+fn rules_of(code: u16) -> &'static [RuleId] {
+    match code {
         178 => &[STAP_01],
         179 => &[STAP_01, STAP_03],
         180 => &[MCYC_02, MCYC_12],
@@ -23,9 +23,16 @@ pub fn mode_rules(code: u16) -> RuleSet {
         188 => &[CTHR_05],
         189 => &[G189_01],
         190 => &[G190_01],
-        _ => return RuleSet::EMPTY,
-    };
-    RuleSet::of(own).with(MCYC_01)
+        _ => &[],
+    }
+}
+
+/// What the `mode` event of a cycle code cites besides E100L-GCODE-02; nothing for other codes.
+pub fn mode_rules(code: u16) -> RuleSet {
+    match rules_of(code) {
+        [] => RuleSet::EMPTY,
+        own => RuleSet::of(own).with(MCYC_01),
+    }
 }
 
 /// The rule of a cycle, which its events cite.
@@ -35,13 +42,8 @@ pub fn of_cycle(code: u16, setup: &Setup) -> Cited {
         179 => &[STAP_02, STAP_03],
         184 if is_synchronised(code, setup) => &[STAP_02, G184_02],
         190 => &[G190_01, G190_02],
-        _ => return Cited { rules: without_mode(mode_rules(code)), ..Cited::default() },
+        _ => rules_of(code),
     })
-}
-
-/// The rule of the cycle out of those of its mode.
-fn without_mode(rules: RuleSet) -> RuleSet {
-    rules.as_slice().iter().copied().filter(|rule| *rule != MCYC_01).collect()
 }
 
 /// What the events of a block name.

@@ -14,7 +14,6 @@ use crate::fault::Outcome;
 use crate::modal::Plan;
 use crate::quantity::{round_narrow, whole};
 use crate::state::State;
-use crate::thread::Cited;
 use crate::vocabulary::{ChipDischarge, CycleReturn, Duration, Part, Setup};
 
 /// Holes that are left, in program coordinates in nanometres.
@@ -127,16 +126,14 @@ impl Holes {
     /// Place, tool, approach, clamp.
     fn beginning(&self) -> Vec<Act> {
         let again = self.number > 0;
-        let code = self.cites.code();
         let mut acts = vec![Act::Go(self.position(again))];
         if self.block.role == Role::First && !again {
             // E100L-MCYC-10, E100L-STAP-02.
-            acts.push(Act::Code(if self.tap.is_some() { 12 } else { 13 }, code));
+            acts.push(self.code(if self.tap.is_some() { 12 } else { 13 }));
         }
-        let cited = self.cites.motion(Part::Approach, again);
-        acts.push(self.rapid(self.levels.cut, Part::Approach, cited));
+        acts.push(self.along(self.levels.cut, Manner::Rapid, Part::Approach));
         if self.clamps {
-            acts.push(Act::Code(147, code));
+            acts.push(self.code(147));
         }
         acts
     }
@@ -159,62 +156,55 @@ impl Holes {
         Go { x, z, c, manner: Manner::Rapid, part: Part::Position, pass: None, cited }
     }
 
-    /// What the cycle does at the bottom, and the return.
+    /// What the cycle does at the bottom but for its passes, and the return.
     fn ending(&self) -> Vec<Act> {
-        let code = |code| Act::Code(code, self.cites.code());
-        let unclamp = self.clamps.then(|| code(146));
-        let cut = self.cites.motion(Part::Cut, false);
-        let down = [Act::Pass, self.along(self.levels.bottom, Manner::Feed, Part::Cut, cut)];
-        let dwell = self.dwell.map(|time| Act::Dwell(time, self.cites.dwell()));
-        let back = self.rapid(self.back, Part::Return, self.cites.motion(Part::Return, false));
-        let up = self.along(self.levels.cut, Manner::Feed, Part::Exit, self.cites.motion(Part::Exit, false));
-        let after_exit = self.rapid(self.back, Part::Return, self.cites.return_after_exit());
-        let mut acts = Vec::new();
-        match self.block.code {
-            _ if let Some(tap) = &self.tap => {
-                acts.extend(tap.acts(&self.cites));
-                acts.extend(unclamp);
-                acts.push(after_exit);
-            }
-            182 => {
-                acts.extend(down);
-                acts.extend(dwell);
-                acts.extend([code(12), back]);
-                acts.extend(unclamp);
-                acts.push(code(13));
-            }
-            183 => {
-                acts.extend(dwell);
-                acts.push(back);
-                acts.extend(unclamp);
-            }
-            184 => {
-                acts.extend(down);
-                acts.extend(dwell);
-                acts.extend([code(12), code(14), up]);
-                acts.extend(unclamp);
-                acts.extend([code(12), code(13), after_exit]);
-            }
-            189 => {
-                acts.extend(down);
-                acts.extend(dwell);
-                acts.push(up);
-                acts.extend(unclamp);
-                acts.push(after_exit);
-            }
-            190 => {
-                acts.push(back);
-                acts.extend(self.to_slot());
-                acts.extend(unclamp);
-            }
-            _ => {
-                acts.extend(down);
-                acts.extend(dwell);
-                acts.push(back);
-                acts.extend(unclamp);
-            }
+        let mut acts = self.at_bottom();
+        acts.extend(self.way_out());
+        if self.clamps {
+            acts.push(self.code(146));
         }
+        acts.extend(self.after_release());
         acts
+    }
+
+    /// The cut, if there were no passes, and the dwell; a tap.
+    fn at_bottom(&self) -> Vec<Act> {
+        if let Some(tap) = &self.tap {
+            return tap.acts(&self.cites).to_vec();
+        }
+        let mut acts = match self.work {
+            Work::Once => vec![Act::Pass, self.along(self.levels.bottom, Manner::Feed, Part::Cut)],
+            Work::Pecks(_) | Work::Ways(_) => Vec::new(),
+        };
+        acts.extend(self.dwell.map(|time| Act::Dwell(time, self.cites.dwell())));
+        acts
+    }
+
+    /// The way out, as far as C is clamped.
+    fn way_out(&self) -> Vec<Act> {
+        let back = self.along(self.back, Manner::Rapid, Part::Return);
+        // E100L-MCYC-16.
+        let at_feed = self.along(self.levels.cut, Manner::Feed, Part::Exit);
+        match self.block.code {
+            _ if self.tap.is_some() => Vec::new(),
+            182 => vec![self.code(12), back],
+            184 => vec![self.code(12), self.code(14), at_feed],
+            189 => vec![at_feed],
+            _ => [Some(back), self.to_slot()].into_iter().flatten().collect(),
+        }
+    }
+
+    /// What comes when C is released.
+    fn after_release(&self) -> Vec<Act> {
+        let cited = self.cites.return_after_exit();
+        let back = Act::Go(Go::along(self.levels.axis, self.back, Manner::Rapid, Part::Return, cited));
+        match self.block.code {
+            _ if self.tap.is_some() => vec![back],
+            182 => vec![self.code(13)],
+            184 => vec![self.code(12), self.code(13), back],
+            189 => vec![back],
+            _ => Vec::new(),
+        }
     }
 
     /// E100L-G190-02: back to the beginning of the slot.
@@ -224,12 +214,12 @@ impl Holes {
         Some(Act::Go(Go::along(self.levels.axis.other(), ways.start(), Manner::Rapid, Part::Return, cited)))
     }
 
-    fn rapid(&self, to: i64, part: Part, cited: Cited) -> Act {
-        self.along(to, Manner::Rapid, part, cited)
+    fn code(&self, code: u16) -> Act {
+        Act::Code(code, self.cites.code())
     }
 
-    fn along(&self, to: i64, manner: Manner, part: Part, cited: Cited) -> Act {
-        Act::Go(Go::along(self.levels.axis, to, manner, part, cited))
+    fn along(&self, to: i64, manner: Manner, part: Part) -> Act {
+        Act::Go(Go::along(self.levels.axis, to, manner, part, self.cites.motion(part, self.number > 0)))
     }
 }
 
