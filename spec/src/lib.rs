@@ -11,7 +11,8 @@
 //! One way through it, a stage a room: `syntax` (text to blocks), `run` (which block comes next), `schedule` (which
 //! main program), `task` (expressions, variables, data communication, and the programs that run within each other),
 //! `modal` (codes and modes), `turret` (two turrets on one saddle), `saddle` (two saddles), `path` (motion), `thread`
-//! (thread cutting), `contour` (contours with the C axis, coordinate conversion), `barrier` (areas to keep out of), `compensation` (nose radius), `frame` (machine coordinates and
+//! (thread cutting), `cycle` (grooving, drilling and tapping, driven tools), `contour` (contours with the C axis,
+//! coordinate conversion), `barrier` (areas to keep out of), `compensation` (nose radius), `frame` (machine coordinates and
 //! limits); `controls` holds the tables, `integer`, `quantity` and `real` the numbers.
 
 mod barrier;
@@ -20,6 +21,7 @@ mod check;
 mod compensation;
 mod contour;
 mod controls;
+mod cycle;
 mod emission;
 mod fault;
 mod frame;

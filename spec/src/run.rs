@@ -67,7 +67,7 @@ impl<'a> Run<'a> {
         Self { machine, setup, events: 0, ending: None }
     }
 
-    /// Carries out the next block, be it empty or skipped, or the next pass of a compound thread cycle; the events that
+    /// Carries out the next block, be it empty or skipped, or the next pass of a fixed cycle; the events that
     /// are decided then go to the sink. On two
     /// saddles also lets them meet. `Some` when the run has ended.
     pub fn step(&mut self, sink: &mut impl Sink) -> Option<Ending> {

@@ -5,6 +5,7 @@ use crate::contour;
 use crate::controls::e100l::g_codes::GGroup;
 use crate::controls::e100l::m_codes::GROUPS;
 use crate::controls::e100l::system_variables::Axis;
+use crate::cycle;
 use crate::frame::{self, Frame, Limits, TravelLimit};
 use crate::path::Point;
 use crate::saddle::Saddle;
@@ -55,6 +56,8 @@ pub struct State<'a> {
     pub thread: thread::Kept,
     /// Coordinate conversion, and how far the C axis is wound.
     pub contour: contour::Kept,
+    /// The cycle of a driven tool that goes on in the next block.
+    pub cycle: cycle::Kept,
 }
 
 /// The modal G codes, in the order of the groups.
@@ -91,6 +94,8 @@ pub struct SpindleStore {
     pub tool: SpindleState,
     /// SB.
     pub tool_speed: i64,
+    /// SA, once it was programmed.
+    pub c_axis_speed: Option<i64>,
 }
 
 /// The programmed corner of the chamfer block before (X as a diameter, Z).
@@ -129,6 +134,7 @@ impl<'a> State<'a> {
             angle_target: None,
             thread: thread::Kept::default(),
             contour: contour::Kept::default(),
+            cycle: cycle::Kept::default(),
         }
     }
 

@@ -55,7 +55,7 @@ fn a_block_is_a_statement_and_nothing_else() {
         ("VSET XA=1", "alarm name=schedule_left_side line=1"),
         ("VSET P=1", "alarm name=schedule_left_side line=1"),
         ("VSET VDIN", "alarm name=schedule_left_side line=1"),
-        ("VSET R=1", "alarm name=address_unknown line=1"),
+        ("VSET R=1", "alarm name=schedule_left_side line=1"),
         ("VSET N1=1", "alarm name=not_modelled detail=N line=1"),
         ("VSET ABCDE=1", "alarm name=local_name_malformed detail=ABCDE line=1"),
         ("VSET CALRG", "alarm name=format line=1"),

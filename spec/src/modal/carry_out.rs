@@ -8,6 +8,7 @@ use super::{feed, spindle, tool};
 use crate::barrier::Watch;
 use crate::contour;
 use crate::controls::e100l::g_codes::{GCode, GGroup, g_code};
+use crate::cycle;
 use crate::emission::Emission;
 use crate::fault::Outcome;
 use crate::integer::turn;
@@ -30,6 +31,7 @@ pub fn before_motion(plan: &Plan, state: &mut State, emissions: &mut Vec<Emissio
         emissions.extend(event.map(|event| event.rule_if(for_both && is_common_g(*code), AX4_06)));
     }
     state.thread.select(words, state.modes.get(GGroup::Motion));
+    state.cycle.begin_block(plan);
     if let Some(number) = words.feed.as_ref().filter(|_| plan.one_shot != Some(4)) {
         feed::store(number, thread::feed_is_lead(plan), words.get('J'), state)?;
     } else if let (Some(leads), Some(feed)) = (words.get('J'), &mut state.feed) {
@@ -47,7 +49,8 @@ pub fn before_motion(plan: &Plan, state: &mut State, emissions: &mut Vec<Emissio
         _ => {}
     }
     spindle_words(plan, state, emissions)?;
-    if let Some(number) = words.get('T') {
+    // E100L-GRV-08: T of a groove selects nothing.
+    if let Some(number) = words.get('T').filter(|_| !cycle::is_groove(plan.one_shot)) {
         let (event, frame) = tool::command(number, plan.moves, state);
         emissions.push(event);
         check_time(&Timed::T, state.is_active(124), state)?;
@@ -133,7 +136,8 @@ fn select(code: u16, state: &mut State) -> Option<Emission> {
     // E100L-NRC-61: from one side to the other without G40 between.
     let other_side = group == GGroup::Compensation && previous != 40 && code != 40;
     let event = Emission::new(mode(group, code, previous), RuleSet::of(&[GCODE_02, rule]));
-    Some(event.rule_if(other_side, NRC_61).rule_if(previous == Modes::NO_CODE, CSC_05))
+    let event = event.rule_if(other_side, NRC_61).rule_if(previous == Modes::NO_CODE, CSC_05);
+    Some(event.rules(cycle::mode_rules(code)))
 }
 
 /// E100L-CRC-03: M109 selects G18.
@@ -193,6 +197,7 @@ fn spindle_words(plan: &Plan, state: &mut State, emissions: &mut Vec<Emission>) 
         check_time(&Timed::S, state.is_active(124), state)?;
     }
     if let Some(speed) = words.extended("SA") {
+        state.spindle.c_axis_speed = Some(speed);
         emissions.push(spindle::c_axis_event(speed));
     }
     if let Some(speed) = words.extended("SB") {

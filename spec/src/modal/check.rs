@@ -6,6 +6,7 @@ use super::machine::check_reference;
 use super::words::Words;
 use crate::contour;
 use crate::controls::e100l::g_codes::{GCode, GGroup, g_code};
+use crate::cycle::{self, CycleBlock};
 use crate::fault::{Fault, Outcome, fail};
 use crate::state::{Modes, State};
 use crate::thread;
@@ -23,6 +24,8 @@ pub struct Plan {
     pub one_shot: Option<u16>,
     /// What it does to radius compensation.
     pub compensation: Change,
+    /// What it is in a cycle of driven tools.
+    pub cycle: Option<CycleBlock>,
     /// Whether it moves axes.
     pub moves: bool,
     /// Whether it is a block in conversion mode: that began in G137, and has no word G136 or G137.
@@ -53,7 +56,7 @@ impl Plan {
 
     /// Whether it cuts a thread in a motion mode, G31 to G35.
     pub fn is_thread(&self) -> bool {
-        self.moves && self.one_shot.is_none() && thread::is_mode(self.motion())
+        self.moves && self.one_shot.is_none() && self.cycle.is_none() && thread::is_mode(self.motion())
     }
 
     /// Whether it generates a contour with the C axis.
@@ -66,9 +69,15 @@ impl Plan {
         matches!(self.one_shot, Some(71 | 72))
     }
 
+    /// Whether it is a fixed cycle: G71 to G74, G77, G78, or a block of a cycle of driven tools.
+    pub fn has_passes(&self) -> bool {
+        let grooves_or_taps = cycle::is_groove(self.one_shot) || cycle::is_tapping(self.one_shot);
+        self.is_compound() || grooves_or_taps || self.cycle.is_some()
+    }
+
     /// Whether it is a motion that modal calls come after (E100L-MODIN-03).
     pub fn triggers(&self) -> bool {
-        let acts = !matches!(self.one_shot, Some(22 | 71 | 72)) && !self.is_contour();
+        let acts = self.one_shot != Some(22) && !self.has_passes() && !self.is_contour();
         self.moves && acts && self.words.has_any("XYZ")
     }
 
@@ -98,13 +107,17 @@ pub fn check(words: Words, before: Before, state: &State) -> Outcome<Plan> {
     let compensation = change(before.modes, modes);
     let motion = modes.get(GGroup::Motion);
     let one_shot = words.one_shot();
+    let cycle = CycleBlock::of(&words, before.modes, modes);
+    let words = cycle::synchronised_words(words, cycle, setup);
     stands_alone(&words)?;
+    cycle::refuse(&words, cycle, before.modes, modes, state)?;
     // The S of a G50 block is its clamp.
     let has_speed = words.get('S').is_some() && one_shot != Some(50);
     if (words.has_g(96) || words.has_g(97)) && !has_speed {
         return fail(AlarmName::CuttingSpeedMissing, CSS_03);
     }
-    let is_thread = one_shot.is_none() && thread::is_mode(motion) && is_motion(&words, motion);
+    let is_thread =
+        one_shot.is_none() && cycle.is_none() && thread::is_mode(motion) && is_motion(&words, motion);
     thread::not_in_constant_speed(&words, modes, is_thread.then_some(motion))?;
     check_reference(&words, modes, setup)?;
     let converts = before.modes.converting() && !matches!(one_shot, Some(136 | 137));
@@ -125,6 +138,14 @@ pub fn check(words: Words, before: Before, state: &State) -> Outcome<Plan> {
         }
         Some(50) => zero_shift(&words, setup)?,
         Some(137) => contour::check_beginning(&words, modes)?,
+        Some(code @ (73 | 74)) => {
+            cycle::check_groove(code, &words, modes, state)?;
+            moves = true;
+        }
+        Some(77 | 78) => {
+            cycle::check_tapping(&words, modes)?;
+            moves = true;
+        }
         Some(code @ (75 | 76)) => {
             chamfer(code, &words, motion, setup)?;
             if before.modal && words.has_any("XZ") {
@@ -132,6 +153,10 @@ pub fn check(words: Words, before: Before, state: &State) -> Outcome<Plan> {
                 return Err(Fault::about(AlarmName::Unspecified, MODIN_02, detail.as_str()));
             }
             path(&words, motion, before.after_angle, setup)?;
+            moves = true;
+        }
+        None if let Some(block) = cycle => {
+            cycle::check_block(&words, block, state)?;
             moves = true;
         }
         None if is_thread => {
@@ -150,8 +175,9 @@ pub fn check(words: Words, before: Before, state: &State) -> Outcome<Plan> {
         }
         Some(_) | None => {}
     }
-    every_word_has_a_function(&words, one_shot, motion, compensation, converts)?;
-    let plan = Plan { words, modes, one_shot, compensation, moves, converts };
+    every_word_has_a_function(&words, one_shot, motion, compensation, cycle, converts, state)?;
+    let plan = Plan { words, modes, one_shot, compensation, cycle, moves, converts };
+    cycle::not_in_compensation(&plan, before)?;
     thread::not_in_compensation(&plan, before)?;
     contour::check_plane(&plan, before, setup)?;
     compensation::check(&plan, before, state.c_joined())?;
@@ -183,14 +209,15 @@ fn select(words: &Words, mut modes: Modes) -> Modes {
 /// E100L-MCODE-24, E100L-MCODE-36, E100L-MCODE-37, E100L-CSC-09: codes that must stand alone.
 fn stands_alone(words: &Words) -> Outcome<()> {
     let count = words.g.len() + words.m.len() + words.others.len() + usize::from(words.feed.is_some());
-    if count == 1 && !words.assigns {
+    let is_alone = count == 1 && !words.assigns;
+    if is_alone {
         return Ok(());
     }
     let alone = [(110, MCODE_24), (193, MCODE_36), (195, MCODE_37), (196, MCODE_37)];
     match alone.iter().find(|(code, _)| words.m.contains(code)) {
         Some((_, rule)) => fail(AlarmName::NotAlone, *rule),
         None if words.has_g(136) => fail(AlarmName::NotAlone, CSC_09),
-        None => Ok(()),
+        None => cycle::stands_alone(words, is_alone),
     }
 }
 

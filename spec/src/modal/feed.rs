@@ -7,7 +7,9 @@ use crate::fault::{Outcome, fail};
 use crate::quantity::{Exact, ratio, round_narrow, whole};
 use crate::state::{Modes, State, StoredFeed};
 use crate::vocabulary::rule_ids::*;
-use crate::vocabulary::{Action, AlarmName, Duration, Feed, FeedRate, FeedUnit, RuleId, RuleSet, UnitSystem};
+use crate::vocabulary::{
+    Action, AlarmName, Duration, Feed, FeedRate, FeedUnit, RuleId, RuleSet, Setup, UnitSystem,
+};
 
 /// Stores the number of an F word, and J, which belongs to it (E100L-THRD-06). Its range is that of the feed unit in
 /// force (E100L-ADDR-01); a lead is one per revolution in G94 too (E100L-THRD-04).
@@ -28,9 +30,14 @@ pub fn store(number: &Exact, is_lead: bool, leads: Option<i64>, state: &mut Stat
 
 /// E100L-ADDR-01: the range of a feed in nanometres.
 fn check_range(feed: &Exact, system: UnitSystem) -> Outcome<()> {
+    if is_feed(feed, system) { Ok(()) } else { fail(AlarmName::AddressRange, ADDR_01) }
+}
+
+/// Whether a feed in nanometres is in the range of feeds.
+pub fn is_feed(feed: &Exact, system: UnitSystem) -> bool {
     let lowest = whole(if system.is_inch() { 2_540 } else { 1_000 });
     let highest = whole(units::largest_length(system));
-    if *feed < lowest || *feed > highest { fail(AlarmName::AddressRange, ADDR_01) } else { Ok(()) }
+    *feed >= lowest && *feed <= highest
 }
 
 /// The feed of a cutting motion with the rules that it obeys.
@@ -52,10 +59,15 @@ pub fn active_feed(state: &State) -> Outcome<(Feed, RuleSet)> {
 
 /// E100L-DWELL-01, E100L-DWELL-02: G04 waits for F seconds, 0.01 to 9999.99.
 pub fn dwell(number: &Exact, state: &State) -> Outcome<Emission> {
-    let seconds = number * units::seconds(state.setup.unit_system);
+    let time = dwell_time(number, state.setup)?;
+    Ok(Emission::new(Action::Dwell { time }, RuleSet::of(&[DWELL_01, DWELL_02])))
+}
+
+/// E100L-DWELL-02: the time of a dwell.
+pub fn dwell_time(number: &Exact, setup: &Setup) -> Outcome<Duration> {
+    let seconds = number * units::seconds(setup.unit_system);
     if seconds < ratio(1, 100) || seconds > ratio(999_999, 100) {
         return fail(AlarmName::AddressRange, DWELL_02);
     }
-    let time = Duration(round_narrow(&(seconds * whole(1_000_000))));
-    Ok(Emission::new(Action::Dwell { time }, RuleSet::of(&[DWELL_01, DWELL_02])))
+    Ok(Duration(round_narrow(&(seconds * whole(1_000_000)))))
 }

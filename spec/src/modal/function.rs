@@ -2,8 +2,9 @@
 
 use super::check::Change;
 use super::words::Words;
+use crate::cycle::{self, CycleBlock};
 use crate::fault::{Fault, Outcome};
-use crate::state::Modes;
+use crate::state::{Modes, State};
 use crate::syntax::Address;
 use crate::vocabulary::AlarmName;
 use crate::vocabulary::rule_ids::*;
@@ -14,9 +15,13 @@ pub fn every_word_has_a_function(
     one_shot: Option<u16>,
     motion: u16,
     compensation: Change,
+    block: Option<CycleBlock>,
     converts: bool,
+    state: &State,
 ) -> Outcome<()> {
+    let of_cycle = cycle::words_taken(words, one_shot, block, state);
     let (letters, extended, calrg): (&[u8], &[&str], bool) = match (one_shot, motion) {
+        _ if let Some((letters, extended)) = of_cycle => (letters, extended, false),
         (Some(4 | 28), _) => (b"", &[], false),
         (Some(22), _) => (b"ZWDL", &["PZ", "PW"], false),
         (Some(29), _) => (b"", &["PZ", "PW"], false),

@@ -36,6 +36,29 @@ pub fn command(code: u16, plan: &Plan, state: &mut State) -> Outcome<Emission> {
     })
 }
 
+/// Carries an M code out as a cycle does, without a block of its own (E100L-MCYC-10, E100L-TAP-02): neither E100L-M63-01
+/// nor E100L-M63-02 is about it.
+pub fn by_cycle(code: u16, state: &mut State) -> Emission {
+    state.activate(code);
+    let rules = match code {
+        3..=5 => {
+            let turret = state.turret();
+            let starts = code != 5;
+            if starts {
+                state.spindle.started_with = Some(turret);
+            }
+            state.spindle.main = if starts { direction(code, state) } else { SpindleState::Stop };
+            let event = spindle::main_event(RuleSet::of(&[MCODE_05]), false, state);
+            return event.rule_if(starts, SPD_04).rule_if(starts && turret == Side::B, MIRR_06);
+        }
+        12 => return tool_spindle(SpindleState::Stop, &[MCODE_06], state),
+        13 => return tool_spindle(SpindleState::Clockwise, &[MCODE_06, SB_03], state),
+        14 => return tool_spindle(SpindleState::CounterClockwise, &[MCODE_06, SB_03], state),
+        _ => RuleSet::of(aux_rules(code)),
+    };
+    auxiliary(code, rules)
+}
+
 fn auxiliary(code: u16, rules: RuleSet) -> Emission {
     let group = group_of(code).map_or(Label::default(), |group| Label::new(group.name));
     Emission::new(Action::Aux { code: Label::of_code(b'M', code), group }, rules)

@@ -17,8 +17,8 @@ mod words;
 
 pub use carry_out::{before_motion, end, end_code, stop};
 pub use check::{Before, Change, Plan, check};
-pub use feed::active_feed;
-pub use feed::dwell;
+pub use feed::{active_feed, dwell, dwell_time, is_feed};
+pub use miscellaneous::by_cycle;
 pub use reset::{mode, reset};
 pub use spindle::{motion_speed, turning_speed};
 pub use words::{Other, Words, evaluate};

@@ -6,6 +6,7 @@ use super::machine;
 use crate::controls::e100l::g_codes::{GCode, GGroup, g_code};
 use crate::controls::e100l::m_codes::{MCode, group_of, m_code};
 use crate::controls::e100l::units;
+use crate::cycle;
 use crate::emission::Emission;
 use crate::fault::{Fault, Outcome, fail};
 use crate::quantity::{self, Exact, ratio, whole};
@@ -26,10 +27,16 @@ pub struct Words {
     pub g: Vec<u16>,
     /// M codes in written order.
     pub m: Vec<u16>,
+    /// Where they stand: the first byte of each.
+    pub m_at: Vec<u32>,
     /// The number of F as it is written.
     pub feed: Option<Exact>,
     /// The number of J as it is written.
     pub leads: Option<Exact>,
+    /// The number of D as it is written.
+    pub d: Option<Exact>,
+    /// The number of E as it is written.
+    pub e: Option<Exact>,
     /// The other words, and CALRG, in written order.
     pub others: Vec<Other>,
     /// Whether a length was written in inches.
@@ -69,6 +76,11 @@ impl Words {
     /// Whether one of these one-letter addresses stands in the block.
     pub fn has_any(&self, letters: &str) -> bool {
         letters.chars().any(|letter| self.get(letter).is_some())
+    }
+
+    /// Whether the block has no word, nor CALRG.
+    pub fn is_empty(&self) -> bool {
+        self.g.is_empty() && self.m.is_empty() && self.others.is_empty() && self.feed.is_none()
     }
 
     /// Whether CALRG stands in the block (E100L-CIRC-18).
@@ -145,7 +157,11 @@ fn add(
     }
     let value = match address {
         Address::Letter(b'G') => return add_g(&given, state.setup, words),
-        Address::Letter(b'M') => return add_m(&given, state, words),
+        Address::Letter(b'M') => {
+            add_m(&given, state, words)?;
+            words.m_at.push(span.start);
+            return Ok(());
+        }
         Address::Letter(b'F') => {
             words.feed = Some(given.value);
             return Ok(());
@@ -156,8 +172,11 @@ fn add(
         }
         _ => amount(address, &given, state.setup)?,
     };
-    if address == Address::Letter(b'J') {
-        words.leads = Some(given.value);
+    match address {
+        Address::Letter(b'J') => words.leads = Some(given.value),
+        Address::Letter(b'D') => words.d = Some(given.value),
+        Address::Letter(b'E') => words.e = Some(given.value),
+        _ => {}
     }
     words.inch |= state.setup.unit_system.is_inch() && is_length(address);
     words.others.push(Other { address: Some(address), value, span });
@@ -165,14 +184,19 @@ fn add(
 }
 
 fn is_length(address: Address) -> bool {
-    matches!(address, Address::Letter(b'X' | b'Y' | b'Z' | b'I' | b'K' | b'D' | b'U' | b'H' | b'L' | b'W'))
+    match address {
+        Address::Letter(letter) => b"XYZIKDUHLWR".contains(&letter),
+        Address::Extended(name) => name == "DA",
+    }
 }
 
 /// E100L-ADDR-01: the value of a word in its small unit, within the range of its address.
 fn amount(address: Address, given: &Given, setup: &Setup) -> Outcome<i64> {
     let system = setup.unit_system;
     match address {
-        Address::Letter(b'X' | b'Y' | b'Z' | b'I' | b'K' | b'L') => length(given, true, setup),
+        Address::Letter(b'X' | b'Y' | b'Z' | b'I' | b'K' | b'L' | b'R') | Address::Extended("DA") => {
+            length(given, true, setup)
+        }
         Address::Letter(b'W') => length(given, setup.options.w_axis, setup),
         Address::Letter(b'D' | b'U' | b'H') => length(given, false, setup),
         Address::Letter(b'C') => angle(given, 359_999_000, setup),
@@ -267,6 +291,7 @@ fn add_g(given: &Given, setup: &Setup, words: &mut Words) -> Outcome<()> {
         GCode::Unassigned => return fail(AlarmName::GCodeUnassigned, GTAB_01),
     };
     machine::has_g(code, setup)?;
+    cycle::stands_first(code, words)?;
     if code == 90 && words.has_g(91) || code == 91 && words.has_g(90) {
         return fail(AlarmName::AbsoluteAndIncremental, ABS_04);
     }

@@ -206,7 +206,8 @@ pub fn with_speed(mut event: Emission, rapid: bool, state: &State) -> Emission {
             if let Action::Rapid { motion }
             | Action::Linear { motion, .. }
             | Action::Arc { motion, .. }
-            | Action::ContourArc { motion, .. } = &mut event.action
+            | Action::ContourArc { motion, .. }
+            | Action::Thread { motion, .. } = &mut event.action
             {
                 motion.speed = Some(speed.speed);
             }

@@ -1,6 +1,6 @@
 //! A channel: a program that is carried out block by block, with the state of the machine, or of the saddle, that it moves.
 
-use super::passes::Cycle;
+use super::passes::{Cycle, Passes};
 use super::reading::{self, Block, Content, Reader};
 use super::statement::Carried;
 use super::{Progress, Texts};
@@ -13,7 +13,7 @@ use crate::path;
 use crate::schedule::Schedule;
 use crate::state::State;
 use crate::task::{Calls, Registration};
-use crate::thread::{self, Compound};
+use crate::thread;
 use crate::turret;
 use crate::vocabulary::rule_ids::*;
 use crate::vocabulary::{Place, Setup, Side};
@@ -26,7 +26,7 @@ pub struct Channel<'a> {
     pub(super) compensation: Compensation,
     /// The schedule program, if the main text is one.
     pub(super) schedule: Option<Schedule>,
-    /// A compound thread cycle of which passes are left.
+    /// A fixed cycle of which passes are left.
     pub(super) cycle: Option<Box<Cycle>>,
     pub(super) setup: &'a Setup,
 }
@@ -37,8 +37,8 @@ pub struct Moved {
     pub plan: Plan,
     /// Whether it had or computed X or Z.
     pub(super) in_plane: bool,
-    /// The passes that are left of a compound thread cycle.
-    pub passes: Option<Compound>,
+    /// The passes that are left of a fixed cycle.
+    pub passes: Option<Passes>,
 }
 
 impl<'a> Channel<'a> {
@@ -135,8 +135,8 @@ impl<'a> Channel<'a> {
             // The frame may have changed: a corner of before means nothing now.
             self.state.base = None;
         }
-        if plan.is_compound() {
-            return self.compound(plan, stream);
+        if plan.has_passes() {
+            return self.begin_cycle(plan, stream);
         }
         let in_plane = self.motion(&plan, stream)?;
         Ok(Moved { plan, in_plane, passes: None })

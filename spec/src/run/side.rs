@@ -55,7 +55,7 @@ pub struct Rest {
 pub enum Left {
     /// From check 1 on.
     All(Box<Words>),
-    /// From the next pass of a compound thread cycle on.
+    /// From the next pass of a fixed cycle on.
     Passes(Box<Moved>),
     /// From step 8 on.
     Step8(Box<Moved>),
@@ -86,7 +86,7 @@ impl<'a> SideProgram<'a> {
         matches!(self.status, Status::Ready(_))
     }
 
-    /// Whether it is within a compound thread cycle.
+    /// Whether it is within a fixed cycle.
     pub fn is_in_cycle(&self) -> bool {
         matches!(self.status, Status::Ready(Some(Rest { left: Left::Passes(_), .. })))
     }

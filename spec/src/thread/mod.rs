@@ -20,6 +20,8 @@ mod taper;
 pub use check::{check_block, check_compound, not_in_compensation, not_in_constant_speed};
 pub use compound::Compound;
 pub use kept::Kept;
+pub use lead::measure;
+pub use motion::Cited;
 
 use crate::emission::Emission;
 use crate::fault::Outcome;
@@ -33,7 +35,7 @@ pub fn is_mode(motion: u16) -> bool {
 
 /// E100L-THRD-04: whether the F word of a block is a lead, in G94 too.
 pub fn feed_is_lead(plan: &Plan) -> bool {
-    plan.is_compound() || plan.one_shot.is_none() && is_mode(plan.motion())
+    plan.is_compound() || plan.one_shot.is_none() && plan.cycle.is_none() && is_mode(plan.motion())
 }
 
 /// The motions of a block that cuts a thread in G31 to G35.

@@ -1,15 +1,15 @@
 //! Addresses, and the words that are no addresses.
 
 /// Address letters of E100L-ADDR-01 that carry a value.
-pub const LETTERS: &[u8] = b"ABCDEFGHIJKLMPQSTUWXYZ";
+pub const LETTERS: &[u8] = b"ABCDEFGHIJKLMPQRSTUWXYZ";
 
 /// Extended addresses that are modelled (E100L-FMT-03).
-pub const EXTENDED: &[&str] = &["SB", "SA", "QA", "PZ", "PW"];
+pub const EXTENDED: &[&str] = &["SB", "SA", "QA", "PZ", "PW", "DA"];
 
 /// The other extended addresses.
 pub const EXTENDED_LATER: &[&str] = &[
-    "AA", "AB", "DA", "DB", "FA", "FB", "IA", "IB", "KA", "KB", "LA", "LB", "RA", "RB", "TA", "TB", "UA",
-    "UB", "WA", "WB", "XA", "XB", "ZA", "ZB", "BC",
+    "AA", "AB", "DB", "FA", "FB", "IA", "IB", "KA", "KB", "LA", "LB", "RA", "RB", "TA", "TB", "UA", "UB",
+    "WA", "WB", "XA", "XB", "ZA", "ZB", "BC",
 ];
 
 /// Statements that stand at the beginning of a block (E100L-GCODE-03).

@@ -23,13 +23,15 @@ pub enum GGroup {
     Turret,
     /// G136 G137: kept, but in their block as a one-shot code.
     Conversion,
-    /// G04 G22 G28 G29 G50 G71 G72 G75 G76: act in their block only.
+    /// G178 to G190.
+    Cycle,
+    /// G04 G22 G28 G29 G50 G71 to G78: act in their block only.
     OneShot,
 }
 
 impl GGroup {
     /// The modal groups.
-    pub const MODAL: [Self; 10] = [
+    pub const MODAL: [Self; 11] = [
         Self::Motion,
         Self::Plane,
         Self::Compensation,
@@ -40,6 +42,7 @@ impl GGroup {
         Self::Droop,
         Self::Turret,
         Self::Conversion,
+        Self::Cycle,
     ];
 
     /// Name in the trace.
@@ -55,6 +58,7 @@ impl GGroup {
             Self::Droop => "droop",
             Self::Turret => "turret",
             Self::Conversion => "conversion",
+            Self::Cycle => "cycle",
             Self::OneShot => "one_shot",
         }
     }
@@ -72,6 +76,7 @@ impl GGroup {
             Self::Droop => 64,
             Self::Turret => 13,
             Self::Conversion => 136,
+            Self::Cycle => 180,
         }
     }
 
@@ -100,7 +105,7 @@ pub enum GCode {
 pub fn g_code(code: u16) -> GCode {
     let group = match code {
         0..=3 | 31..=35 | 101..=103 | 132 | 133 => GGroup::Motion,
-        4 | 22 | 28 | 29 | 50 | 71 | 72 | 75 | 76 => GGroup::OneShot,
+        4 | 22 | 28 | 29 | 50 | 71..=78 => GGroup::OneShot,
         13 | 14 => GGroup::Turret,
         17 | 18 | 119 => GGroup::Plane,
         40..=42 => GGroup::Compensation,
@@ -110,10 +115,11 @@ pub fn g_code(code: u16) -> GCode {
         96 | 97 => GGroup::CuttingSpeed,
         110 | 111 => GGroup::CssTurret,
         136 | 137 => GGroup::Conversion,
+        178..=190 => GGroup::Cycle,
         19 | 20 | 21 | 30 | 36 | 37 | 62 | 100 | 107 | 108 | 122 | 123 | 140..=143 | 152 | 191 => {
             return GCode::Unspecified;
         }
-        73 | 74 | 77 | 78 | 80..=88 | 112 | 113 | 138 | 178..=190 => return GCode::Later,
+        80..=88 | 112 | 113 | 138 => return GCode::Later,
         161..=171 | 205..=214 => return GCode::Macro,
         _ => return GCode::Unassigned,
     };
