@@ -6,6 +6,7 @@ use turnspec_oracle::vocabulary::{AlarmName, Chamfering, Label};
 use super::Interpreter;
 use super::codes::GGroup;
 use super::compensation::Change;
+use super::cycle::{self, CycleBlock};
 use super::fault::Fault;
 use super::planted::{self, Bug};
 use super::thread;
@@ -26,6 +27,14 @@ pub enum OneShot {
     ThreadAlong,
     /// G72.
     ThreadAcross,
+    /// G73.
+    GrooveAcross,
+    /// G74.
+    GrooveAlong,
+    /// G77.
+    TapRight,
+    /// G78.
+    TapLeft,
 }
 
 impl OneShot {
@@ -39,6 +48,10 @@ impl OneShot {
             Some(75) => Self::Chamfer,
             Some(71) => Self::ThreadAlong,
             Some(72) => Self::ThreadAcross,
+            Some(73) => Self::GrooveAcross,
+            Some(74) => Self::GrooveAlong,
+            Some(77) => Self::TapRight,
+            Some(78) => Self::TapLeft,
             Some(76) => Self::Rounding,
             _ => Self::None,
         }
@@ -52,6 +65,16 @@ impl OneShot {
     /// Whether the block cuts a whole thread.
     pub fn is_compound_thread(self) -> bool {
         matches!(self, Self::ThreadAlong | Self::ThreadAcross)
+    }
+
+    /// Whether the block cuts grooves, or drills with pecks.
+    pub fn is_groove(self) -> bool {
+        matches!(self, Self::GrooveAcross | Self::GrooveAlong)
+    }
+
+    /// Whether the block taps with the main spindle.
+    pub fn is_tap(self) -> bool {
+        matches!(self, Self::TapRight | Self::TapLeft)
     }
 }
 
@@ -67,6 +90,8 @@ pub struct Plan {
     pub only_angle: bool,
     /// What the block does to radius compensation.
     pub compensation: Change,
+    /// What the block is to a cycle of driven tools.
+    pub cycle: CycleBlock,
 }
 
 impl Plan {
@@ -74,18 +99,19 @@ impl Plan {
     pub fn is_axis_motion(&self, words: &Words) -> bool {
         let turns = planted::is(Bug::TriggeredByC) && words.has(Address::C);
         let coordinate = words.has(Address::X) || words.has(Address::Z) || turns;
-        let other = self.one_shot == OneShot::TorqueSkip || self.one_shot.is_compound_thread();
-        self.moves && !other && coordinate
+        let line = self.one_shot == OneShot::None || self.one_shot.is_chamfer();
+        self.moves && line && !self.cycle.acts() && coordinate
     }
 
     /// Whether it is a thread block.
     pub fn cuts_thread(&self) -> bool {
-        self.moves && self.one_shot == OneShot::None && thread::is_mode(self.motion)
+        self.moves && self.one_shot == OneShot::None && thread::is_mode(self.motion) && !self.cycle.acts()
     }
 
     /// Whether an F word of the block is a lead (E100L-THRD-04).
     pub fn feeds_by_lead(&self) -> bool {
-        self.one_shot.is_compound_thread() || self.one_shot == OneShot::None && thread::is_mode(self.motion)
+        let single = self.one_shot == OneShot::None && thread::is_mode(self.motion);
+        self.one_shot.is_compound_thread() || single && !self.cycle.acts()
     }
 }
 
@@ -120,6 +146,16 @@ impl Interpreter<'_> {
         let threads = thread::is_mode(motion);
         let one_shot = OneShot::of(words);
         check_alone(parsed, words)?;
+        let cycle = if self.state.cycle.concerns(words) {
+            self.check_cycle_mode(parsed, words)?
+        } else {
+            CycleBlock::None
+        };
+        if cycle.in_mode() {
+            self.check_cycle_block(words, cycle, left_over)?;
+            let compensation = Change::None;
+            return Ok(Plan { one_shot, motion, moves: true, only_angle: false, compensation, cycle });
+        }
         let speed_mode = words.has_g(96) || words.has_g(97);
         if speed_mode && (!words.has(Address::S) || one_shot == OneShot::ZeroShift) {
             return Fault::raise(AlarmName::CuttingSpeedMissing, CSS_03);
@@ -132,7 +168,9 @@ impl Interpreter<'_> {
         };
         let free = one_shot == OneShot::None || one_shot.is_chamfer();
         let compound = one_shot.is_compound_thread();
-        let moves = words.has_any(moving_words) && (free || one_shot == OneShot::TorqueSkip) || compound;
+        let bores = one_shot.is_groove() || one_shot.is_tap();
+        let moves =
+            words.has_any(moving_words) && (free || one_shot == OneShot::TorqueSkip) || compound || bores;
         let cuts = compound || threads && moves && one_shot == OneShot::None;
         if threads || compound {
             self.check_thread_speed(words, motion, cuts)?;
@@ -153,6 +191,9 @@ impl Interpreter<'_> {
         }
         let compensation = self.compensation_change(words);
         check_functions(words, one_shot, motion, compensation)?;
+        if bores {
+            self.check_bore_compensation(words, left_over)?;
+        }
         if threads || compound {
             self.check_thread_compensation(words, motion, cuts, left_over)?;
         }
@@ -162,7 +203,7 @@ impl Interpreter<'_> {
         }
         let coordinate = words.has(Address::X) || words.has(Address::Z);
         let only_angle = free && !arc && !threads && words.has(Address::A) && !coordinate;
-        Ok(Plan { one_shot, motion, moves, only_angle, compensation })
+        Ok(Plan { one_shot, motion, moves, only_angle, compensation, cycle })
     }
 
     fn check_one_shot(
@@ -225,6 +266,8 @@ impl Interpreter<'_> {
             }
             OneShot::Chamfer | OneShot::Rounding => self.check_chamfer(words, one_shot, motion, after_angle),
             OneShot::ThreadAlong | OneShot::ThreadAcross => self.check_compound_thread(words, one_shot),
+            OneShot::GrooveAcross | OneShot::GrooveAlong => self.check_groove(words, one_shot),
+            OneShot::TapRight | OneShot::TapLeft => self.check_tap(words),
         }
     }
 
@@ -290,6 +333,7 @@ fn check_alone(parsed: &Parsed, words: &Words) -> Result<(), Fault> {
     let codes = [(110, MCODE_24), (193, MCODE_36), (195, MCODE_37), (196, MCODE_37)];
     match codes.iter().find(|(code, _)| words.has_m(*code)) {
         Some((_, rule)) => Fault::raise(AlarmName::NotAlone, *rule),
+        None if words.has_g(180) => Fault::raise(AlarmName::NotAlone, MCYC_02),
         None => Ok(()),
     }
 }
@@ -323,20 +367,27 @@ pub fn full_circle() -> Fault {
 
 /// Every word needs a function that takes it.
 fn check_functions(words: &Words, one_shot: OneShot, motion: u16, compensation: Change) -> Result<(), Fault> {
-    let takes = ALWAYS
-        | match one_shot {
-            OneShot::None if matches!(motion, 2 | 3) => ARC_TAKES,
-            OneShot::None if thread::is_mode(motion) => thread::takes(motion),
-            OneShot::None if compensation != Change::None => AXES | IMAGINARY,
-            OneShot::None => AXES,
-            OneShot::Dwell | OneShot::TorqueOff => 0,
-            OneShot::TorqueSkip => SKIP_TAKES,
-            OneShot::TorqueLimit => LIMIT_TAKES,
-            OneShot::ZeroShift => SHIFT_TAKES,
-            OneShot::Chamfer | OneShot::Rounding => CHAMFER_TAKES,
-            OneShot::ThreadAlong => thread::ALONG_TAKES,
-            OneShot::ThreadAcross => thread::ACROSS_TAKES,
-        };
+    let takes = match one_shot {
+        OneShot::None if matches!(motion, 2 | 3) => ARC_TAKES,
+        OneShot::None if thread::is_mode(motion) => thread::takes(motion),
+        OneShot::None if compensation != Change::None => AXES | IMAGINARY,
+        OneShot::None => AXES,
+        OneShot::Dwell | OneShot::TorqueOff => 0,
+        OneShot::TorqueSkip => SKIP_TAKES,
+        OneShot::TorqueLimit => LIMIT_TAKES,
+        OneShot::ZeroShift => SHIFT_TAKES,
+        OneShot::Chamfer | OneShot::Rounding => CHAMFER_TAKES,
+        OneShot::ThreadAlong => thread::ALONG_TAKES,
+        OneShot::ThreadAcross => thread::ACROSS_TAKES,
+        OneShot::GrooveAcross | OneShot::GrooveAlong => cycle::GROOVE_TAKES,
+        OneShot::TapRight | OneShot::TapLeft => cycle::TAP_TAKES,
+    };
+    check_taken(words, takes)
+}
+
+/// The first word in written order that is not one of a set.
+pub(super) fn check_taken(words: &Words, takes: u32) -> Result<(), Fault> {
+    let takes = takes | ALWAYS;
     if words.present() & !takes == 0 {
         return Ok(());
     }

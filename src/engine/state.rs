@@ -7,6 +7,7 @@ use turnspec_oracle::vocabulary::{
 use super::arithmetic::limit::{self, Limited};
 use super::arithmetic::{frame, turn};
 use super::barriers::Watch;
+use super::cycle;
 use super::planted::{self, Bug};
 use super::sides::{Turret, nose_radii, tool_offsets};
 use super::thread::Kept;
@@ -123,6 +124,8 @@ pub struct State {
     pub stops_used: usize,
     /// What thread cutting remembers.
     pub thread: Kept,
+    /// What the cycles of driven tools remember.
+    pub cycle: cycle::Kept,
 }
 
 impl State {
@@ -205,6 +208,7 @@ impl State {
             angle_target: None,
             stops_used: 0,
             thread: Kept::default(),
+            cycle: cycle::Kept::default(),
         }
     }
 

@@ -1,0 +1,1 @@
+//! Cycles on the engine, beyond the examples of the rule texts.
