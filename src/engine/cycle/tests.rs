@@ -3,7 +3,7 @@
 use turnspec_oracle::vocabulary::notation::fields;
 use turnspec_oracle::vocabulary::rule_ids::{INCH_02, MIRR_06};
 use turnspec_oracle::vocabulary::{
-    Action, ChipDischarge, CycleReturn, Event, FeedLength, G184Tapping, KeywayReturn, MachineType,
+    Action, AlarmName, ChipDischarge, CycleReturn, Event, FeedLength, G184Tapping, KeywayReturn, MachineType,
     PeckRetract, Setup, UnitSystem,
 };
 
@@ -43,10 +43,7 @@ const JOINED: &str = "M110\nG94 G00 X60 Z20 SB=400\n";
 fn a_hole_at_half_a_micro_degree_is_latched_away_from_zero() {
     let program = |word: &str| format!("{JOINED}{word}G181 X60 Z5 C0 K10 F40 Q1024\n");
     let turns = |word| values(&program(word), &Setup::default(), &["c", "part"]);
-    let second = |word| {
-        let places = turns(word).into_iter().filter(|turn| turn.ends_with("position")).next();
-        places.unwrap_or_default()
-    };
+    let second = |word| turns(word).into_iter().find(|turn| turn.ends_with("position")).unwrap_or_default();
     // 360 / 1024 = 0.3515625.
     assert_eq!(second(""), "0.351563 position");
     assert_eq!(second("M16\n"), "359.648437 position");
@@ -62,6 +59,34 @@ fn the_angle_of_a_tap_is_no_length() {
     let threads = trace(program, &setup);
     let threads = threads.iter().filter(|event| matches!(event.action, Action::Thread { .. }));
     assert_eq!(threads.map(inch).collect::<Vec<_>>(), [true, true, false, false]);
+}
+
+#[test]
+fn every_hole_but_the_first_is_a_step() {
+    let mut setup = Setup::default();
+    setup.limits.steps = 4;
+    let program = format!("{JOINED}G181 X60 Z5 C0 K10 F40 Q3\n");
+    // Three blocks and the second hole.
+    let cuts = values(&program, &setup, &["f"]).len();
+    let last = trace(&program, &setup).last().map(|event| event.action);
+    assert_eq!(cuts, 2);
+    assert!(matches!(last, Some(Action::Alarm(alarm)) if alarm.name == AlarmName::StepLimit));
+}
+
+#[test]
+fn a_cycle_is_seen_by_speed_and_turret_clamp() {
+    let mut setup = Setup::default();
+    setup.inputs.turret_clamp_confirmed = false;
+    let program = "G96 S100 M03\nG00 X100 Z0\nG73 X90 D4 F0.1\nG00 M203\nM02\n";
+    // 100 m/min on diameters of 100, 96, 96.1, 92, 92.1, 90 and 100 mm.
+    let speeds = values(program, &setup, &["part", "speed"]);
+    let expected =
+        ["cut 331.573", "retract 331.228", "cut 345.989", "retract 345.613", "cut 353.678", "return 318.31"];
+    assert_eq!(speeds, expected);
+    // The last motion is the return.
+    assert!(
+        matches!(trace(program, &setup).last(), Some(event) if matches!(event.action, Action::End { .. }))
+    );
 }
 
 #[test]
