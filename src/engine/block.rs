@@ -7,6 +7,7 @@ use super::Interpreter;
 use super::codes::GGroup;
 use super::compensation::Change;
 use super::contour;
+use super::cycle::{self, CycleBlock};
 use super::fault::Fault;
 use super::planted::{self, Bug};
 use super::thread;
@@ -31,6 +32,14 @@ pub enum OneShot {
     EndConversion,
     /// G137.
     BeginConversion,
+    /// G73.
+    GrooveAcross,
+    /// G74.
+    GrooveAlong,
+    /// G77.
+    TapRight,
+    /// G78.
+    TapLeft,
 }
 
 impl OneShot {
@@ -44,6 +53,10 @@ impl OneShot {
             Some(75) => Self::Chamfer,
             Some(71) => Self::ThreadAlong,
             Some(72) => Self::ThreadAcross,
+            Some(73) => Self::GrooveAcross,
+            Some(74) => Self::GrooveAlong,
+            Some(77) => Self::TapRight,
+            Some(78) => Self::TapLeft,
             Some(76) => Self::Rounding,
             Some(136) => Self::EndConversion,
             Some(137) => Self::BeginConversion,
@@ -65,6 +78,16 @@ impl OneShot {
     pub fn is_compound_thread(self) -> bool {
         matches!(self, Self::ThreadAlong | Self::ThreadAcross)
     }
+
+    /// Whether the block cuts grooves, or drills with pecks.
+    pub fn is_groove(self) -> bool {
+        matches!(self, Self::GrooveAcross | Self::GrooveAlong)
+    }
+
+    /// Whether the block taps with the main spindle.
+    pub fn is_tap(self) -> bool {
+        matches!(self, Self::TapRight | Self::TapLeft)
+    }
 }
 
 /// A checked block.
@@ -79,6 +102,8 @@ pub struct Plan {
     pub only_angle: bool,
     /// What the block does to radius compensation.
     pub compensation: Change,
+    /// What the block is to a cycle of driven tools.
+    pub cycle: CycleBlock,
 }
 
 impl Plan {
@@ -86,20 +111,19 @@ impl Plan {
     pub fn is_axis_motion(&self, words: &Words) -> bool {
         let turns = planted::is(Bug::TriggeredByC) && words.has(Address::C);
         let coordinate = words.has_any(TRIGGERS) || turns;
-        let other = self.one_shot == OneShot::TorqueSkip
-            || self.one_shot.is_compound_thread()
-            || contour::is_mode(self.motion);
-        self.moves && !other && coordinate
+        let line = self.one_shot == OneShot::None || self.one_shot.is_chamfer();
+        self.moves && line && !self.cycle.acts() && !contour::is_mode(self.motion) && coordinate
     }
 
     /// Whether it is a thread block.
     pub fn cuts_thread(&self) -> bool {
-        self.moves && self.one_shot == OneShot::None && thread::is_mode(self.motion)
+        self.moves && self.one_shot == OneShot::None && thread::is_mode(self.motion) && !self.cycle.acts()
     }
 
     /// Whether an F word of the block is a lead (E100L-THRD-04).
     pub fn feeds_by_lead(&self) -> bool {
-        self.one_shot.is_compound_thread() || self.one_shot == OneShot::None && thread::is_mode(self.motion)
+        let single = self.one_shot == OneShot::None && thread::is_mode(self.motion);
+        self.one_shot.is_compound_thread() || single && !self.cycle.acts()
     }
 }
 
@@ -137,6 +161,19 @@ impl Interpreter<'_> {
         let contours = contour::is_mode(motion);
         let one_shot = OneShot::of(words);
         check_alone(parsed, words)?;
+        let cycle = if self.state.cycle.concerns(words) {
+            self.check_cycle_mode(parsed, words)?
+        } else {
+            CycleBlock::None
+        };
+        if self.state.contour.converts() {
+            self.check_cycle_in_conversion(words, one_shot, cycle)?;
+        }
+        if cycle.in_mode() {
+            self.check_cycle_block(words, cycle, left_over)?;
+            let compensation = Change::None;
+            return Ok(Plan { one_shot, motion, moves: true, only_angle: false, compensation, cycle });
+        }
         let speed_mode = words.has_g(96) || words.has_g(97);
         if speed_mode && (!words.has(Address::S) || one_shot == OneShot::ZeroShift) {
             return Fault::raise(AlarmName::CuttingSpeedMissing, CSS_03);
@@ -150,7 +187,9 @@ impl Interpreter<'_> {
         };
         let free = one_shot == OneShot::None || one_shot.is_chamfer();
         let compound = one_shot.is_compound_thread();
-        let moves = words.has_any(moving_words) && (free || one_shot == OneShot::TorqueSkip) || compound;
+        let bores = one_shot.is_groove() || one_shot.is_tap();
+        let moves =
+            words.has_any(moving_words) && (free || one_shot == OneShot::TorqueSkip) || compound || bores;
         let cuts = compound || threads && moves && one_shot == OneShot::None;
         if threads || compound {
             self.check_thread_speed(words, motion, cuts)?;
@@ -178,6 +217,9 @@ impl Interpreter<'_> {
             }
         }
         check_functions(words, one_shot, motion, (compensation, converted))?;
+        if bores {
+            self.check_bore_compensation(words, left_over)?;
+        }
         if threads || compound {
             self.check_thread_compensation(words, motion, cuts, left_over)?;
         }
@@ -191,7 +233,7 @@ impl Interpreter<'_> {
         }
         let coordinate = words.has(Address::X) || words.has(Address::Z);
         let only_angle = free && !arc && !threads && words.has(Address::A) && !coordinate;
-        Ok(Plan { one_shot, motion, moves, only_angle, compensation })
+        Ok(Plan { one_shot, motion, moves, only_angle, compensation, cycle })
     }
 
     fn check_one_shot(
@@ -255,6 +297,8 @@ impl Interpreter<'_> {
             }
             OneShot::Chamfer | OneShot::Rounding => self.check_chamfer(words, one_shot, motion, after_angle),
             OneShot::ThreadAlong | OneShot::ThreadAcross => self.check_compound_thread(words, one_shot),
+            OneShot::GrooveAcross | OneShot::GrooveAlong => self.check_groove(words, one_shot),
+            OneShot::TapRight | OneShot::TapLeft => self.check_tap(words),
         }
     }
 
@@ -321,6 +365,7 @@ fn check_alone(parsed: &Parsed, words: &Words) -> Result<(), Fault> {
     match codes.iter().find(|(code, _)| words.has_m(*code)) {
         Some((_, rule)) => Fault::raise(AlarmName::NotAlone, *rule),
         None if words.has_g(136) => Fault::raise(AlarmName::NotAlone, CSC_09),
+        None if words.has_g(180) => Fault::raise(AlarmName::NotAlone, MCYC_02),
         None => Ok(()),
     }
 }
@@ -359,24 +404,31 @@ fn check_functions(
     motion: u16,
     (compensation, converted): (Change, bool),
 ) -> Result<(), Fault> {
-    let takes = ALWAYS
-        | match one_shot {
-            OneShot::None if matches!(motion, 2 | 3) => ARC_TAKES,
-            OneShot::None if thread::is_mode(motion) => thread::takes(motion),
-            OneShot::None if converted || contour::is_mode(motion) || motion == contour::NO_CODE => {
-                contour::takes(motion, converted)
-            }
-            OneShot::None if compensation != Change::None => AXES | IMAGINARY,
-            OneShot::None => AXES,
-            OneShot::Dwell | OneShot::TorqueOff | OneShot::EndConversion => 0,
-            OneShot::BeginConversion => contour::START_TAKES,
-            OneShot::TorqueSkip => SKIP_TAKES,
-            OneShot::TorqueLimit => LIMIT_TAKES,
-            OneShot::ZeroShift => SHIFT_TAKES,
-            OneShot::Chamfer | OneShot::Rounding => CHAMFER_TAKES,
-            OneShot::ThreadAlong => thread::ALONG_TAKES,
-            OneShot::ThreadAcross => thread::ACROSS_TAKES,
-        };
+    let takes = match one_shot {
+        OneShot::None if matches!(motion, 2 | 3) => ARC_TAKES,
+        OneShot::None if thread::is_mode(motion) => thread::takes(motion),
+        OneShot::None if converted || contour::is_mode(motion) || motion == contour::NO_CODE => {
+            contour::takes(motion, converted)
+        }
+        OneShot::None if compensation != Change::None => AXES | IMAGINARY,
+        OneShot::None => AXES,
+        OneShot::Dwell | OneShot::TorqueOff | OneShot::EndConversion => 0,
+        OneShot::BeginConversion => contour::START_TAKES,
+        OneShot::TorqueSkip => SKIP_TAKES,
+        OneShot::TorqueLimit => LIMIT_TAKES,
+        OneShot::ZeroShift => SHIFT_TAKES,
+        OneShot::Chamfer | OneShot::Rounding => CHAMFER_TAKES,
+        OneShot::ThreadAlong => thread::ALONG_TAKES,
+        OneShot::ThreadAcross => thread::ACROSS_TAKES,
+        OneShot::GrooveAcross | OneShot::GrooveAlong => cycle::GROOVE_TAKES,
+        OneShot::TapRight | OneShot::TapLeft => cycle::TAP_TAKES,
+    };
+    check_taken(words, takes)
+}
+
+/// The first word in written order that is not one of a set.
+pub(super) fn check_taken(words: &Words, takes: u32) -> Result<(), Fault> {
+    let takes = takes | ALWAYS;
     if words.present() & !takes == 0 {
         return Ok(());
     }

@@ -11,6 +11,7 @@ use super::arithmetic::{frame, turn};
 use super::block::{Before, OneShot, Plan};
 use super::compensation::Change;
 use super::contour;
+use super::cycle;
 use super::fault::Fault;
 use super::planted::{self, Bug};
 use super::sides::{self, Common};
@@ -29,6 +30,7 @@ impl Interpreter<'_> {
         };
         let from = planted::is(Bug::IdleNoTrigger).then_some(self.state.machine);
         let plan = self.check(parsed, words, before)?;
+        self.state.cycle.begin_block(words);
         for code in words.g_codes() {
             match *code {
                 136 | 137 => self.change_conversion(*code, words, sink)?,
@@ -41,7 +43,7 @@ impl Interpreter<'_> {
         self.state.thread.store_divisor(words, plan);
         self.act_at_once(words, plan, sink)?;
         self.speeds(words, plan, sink)?;
-        if let Some(tool) = words.get(Address::T) {
+        if let Some(tool) = words.get(Address::T).filter(|_| !plan.one_shot.is_groove()) {
             self.change_tool(tool, plan.moves, sink)?;
         }
         self.m_codes(words, plan, sink)?;
@@ -59,6 +61,9 @@ impl Interpreter<'_> {
                 self.compound_thread(words, plan.one_shot, sink)?
             }
             OneShot::Chamfer | OneShot::Rounding => self.chamfer(slot, plan, sink)?,
+            OneShot::GrooveAcross | OneShot::GrooveAlong => self.groove(words, plan.one_shot, sink)?,
+            OneShot::TapRight | OneShot::TapLeft => self.tap(words, plan.one_shot, sink)?,
+            _ if plan.cycle.acts() => self.carry_out_cycle(words, plan.cycle, sink)?,
             _ if plan.cuts_thread() => self.thread(words, plan.motion, sink)?,
             _ if plan.moves && contour::is_mode(plan.motion) => self.cut_contour(words, plan.motion, sink)?,
             _ if plan.moves && plan.motion >= 2 => self.arc(words, plan.motion, sink)?,
@@ -163,6 +168,10 @@ impl Interpreter<'_> {
                 let changed = std::mem::replace(&mut state.speed_side, side) != side;
                 let rules = if state.other_turret.is_some() { with!(MIRR_19) } else { with!(AX4_08) };
                 (const { Label::new("css_turret") }, 221 - code, changed, rules)
+            }
+            178..=190 => {
+                let previous = std::mem::replace(&mut state.cycle.code, code);
+                (const { Label::new("cycle") }, previous, previous != code, cycle::mode_rules(code))
             }
             _ => return,
         };

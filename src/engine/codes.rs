@@ -39,7 +39,9 @@ pub enum GGroup {
     CuttingSpeed,
     /// G110, G111.
     SpeedTurret,
-    /// G04 G22 G28 G29 G50 G71 G72 G75 G76 G136 G137, of which a block has one.
+    /// G178 to G190.
+    Cycle,
+    /// G04 G22 G28 G29 G50 G71 to G78 G136 G137, of which a block has one.
     OneShot,
 }
 
@@ -105,7 +107,7 @@ pub fn is_m_macro(code: u16) -> bool {
 pub fn g_group(code: u16) -> Option<GGroup> {
     Some(match code {
         0..=3 | 31..=35 | 101..=103 | 132 | 133 => GGroup::Motion,
-        4 | 22 | 28 | 29 | 50 | 71 | 72 | 75 | 76 | 136 | 137 => GGroup::OneShot,
+        4 | 22 | 28 | 29 | 50 | 71..=78 | 136 | 137 => GGroup::OneShot,
         13 | 14 => GGroup::Turret,
         17 | 18 | 119 => GGroup::Plane,
         40..=42 => GGroup::Compensation,
@@ -114,6 +116,7 @@ pub fn g_group(code: u16) -> Option<GGroup> {
         94 | 95 => GGroup::FeedUnit,
         96 | 97 => GGroup::CuttingSpeed,
         110 | 111 => GGroup::SpeedTurret,
+        178..=190 => GGroup::Cycle,
         _ => return None,
     })
 }

@@ -37,7 +37,10 @@ impl Interpreter<'_> {
                 Item::Mnemonic => {
                     words.meet(Address::Calrg);
                 }
-                assignment => self.assignment(parsed, assignment, Origin::Item, sink)?,
+                assignment => {
+                    words.note_assignment();
+                    self.assignment(parsed, assignment, Origin::Item, sink)?;
+                }
             }
         }
         Ok(())
@@ -56,19 +59,26 @@ impl Interpreter<'_> {
             return Fault::raise(AlarmName::DuplicateAddress, FMT_06);
         }
         let value = match address {
-            Address::X | Address::Z | Address::I | Address::K | Address::L => self.length(number, true)?,
+            Address::X | Address::Z | Address::I | Address::K | Address::L | Address::R | Address::DA => {
+                self.length(number, true)?
+            }
             Address::Y if !self.state.contour.converts() => {
                 return Fault::raise(AlarmName::AddressUnknown, ADDR_01);
             }
             Address::Y => self.length(number, true)?,
             Address::W => self.length(number, self.setup.options.w_axis)?,
-            Address::D | Address::U | Address::H => self.length(number, false)?,
+            Address::U | Address::H => self.length(number, false)?,
+            Address::D => {
+                words.exact_d = number;
+                self.length(number, false)?
+            }
             Address::C => self.angle(number, 359_999_000)?,
             Address::A | Address::B => self.angle(number, 99_999_999_000)?,
             Address::E => {
                 let unit = self.units.feed[1];
                 let most = self.units.feeds[1];
                 ranged(number, unit, -most, most, ADDR_01)?;
+                words.exact_e = number;
                 number.rounded(unit, 1)
             }
             Address::F => {
@@ -149,6 +159,9 @@ impl Interpreter<'_> {
             }
             Status::Modelled if matches!(code, 13 | 14) && self.side.is_some() => {
                 return Err(Fault::about(AlarmName::Unspecified, AX4_03, detail()));
+            }
+            Status::Modelled if matches!(code, 77 | 78) && !words.begins() => {
+                return Err(Fault::about(AlarmName::StatementMisplaced, TAP_01, detail()));
             }
             Status::Modelled => codes::g_group(code).unwrap_or(GGroup::OneShot),
             Status::Unspecified => return Err(Fault::about(AlarmName::Unspecified, GTAB_01, detail())),

@@ -15,9 +15,9 @@ use super::text::{Class, class};
 use super::words::{Address, Item, Source};
 
 /// Two-letter addresses that are not modelled.
-const OTHER_EXTENDED: [&[u8]; 23] = [
-    b"AA", b"AB", b"DA", b"DB", b"FA", b"FB", b"IA", b"IB", b"KA", b"KB", b"LA", b"LB", b"RA", b"RB", b"TA",
-    b"TB", b"UA", b"UB", b"WA", b"WB", b"XA", b"XB", b"ZA",
+const OTHER_EXTENDED: [&[u8]; 22] = [
+    b"AA", b"AB", b"DB", b"FA", b"FB", b"IA", b"IB", b"KA", b"KB", b"LA", b"LB", b"RA", b"RB", b"TA", b"TB",
+    b"UA", b"UB", b"WA", b"WB", b"XA", b"XB", b"ZA",
 ];
 const LAST_EXTENDED: [&[u8]; 2] = [b"ZB", b"BC"];
 
@@ -29,6 +29,7 @@ fn extended(name: &[u8]) -> Option<Address> {
         b"QA" => Some(Address::QA),
         b"PZ" => Some(Address::PZ),
         b"PW" => Some(Address::PW),
+        b"DA" => Some(Address::DA),
         _ => None,
     }
 }
@@ -74,6 +75,7 @@ impl Parser<'_> {
             b'M' => Address::M,
             b'P' => Address::P,
             b'Q' => Address::Q,
+            b'R' => Address::R,
             b'S' => Address::S,
             b'T' => Address::T,
             b'U' => Address::U,

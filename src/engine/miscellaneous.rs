@@ -134,6 +134,7 @@ impl Interpreter<'_> {
                     }
                     124 | 125 => state.check_times = code == 124,
                     146 | 147 => state.c_clamped = code == 147,
+                    211..=214 => state.cycle.switch(code),
                     152 | 153 => state.tool_interlock_released = code == 153,
                     _ => {}
                 }
@@ -172,7 +173,7 @@ impl Interpreter<'_> {
         Ok(())
     }
 
-    fn emit_aux(&mut self, sink: &mut impl Sink, code: u16, rules: RuleSet) {
+    pub(super) fn emit_aux(&mut self, sink: &mut impl Sink, code: u16, rules: RuleSet) {
         let group = codes::m_group(code).map(Label::new).unwrap_or_default();
         self.emit(sink, rules, Action::Aux { code: Label::of_code(b'M', code), group });
     }

@@ -19,6 +19,7 @@ pub mod codes;
 mod communication;
 mod compensation;
 mod contour;
+mod cycle;
 mod evaluate;
 mod exact;
 mod expression;
@@ -129,6 +130,9 @@ struct Known {
     thread_shift: ReadingSet,
     flank: ReadingSet,
     balanced: ReadingSet,
+    peck_retract: ReadingSet,
+    chip_discharge: ReadingSet,
+    keyway_return: ReadingSet,
 }
 
 impl Known {
@@ -151,6 +155,9 @@ impl Known {
             thread_shift: one(readings.thread_shift),
             flank: one(readings.thread_flank),
             balanced: one(readings.balanced_infeed),
+            peck_retract: one(readings.peck_retract),
+            chip_discharge: one(readings.chip_discharge),
+            keyway_return: one(readings.keyway_return),
         }
     }
 }

@@ -110,6 +110,7 @@ impl Interpreter<'_> {
             self.check_time(self.setup.stm.s)?;
         }
         if let Some(speed) = words.get(Address::SA) {
+            self.state.cycle.c_speed = Some(speed);
             let spindle = plain(SpindleName::CAxis, SpindleState::Stop, speed, Label::default());
             self.emit(sink, const { RuleSet::of(&[CAX_08]) }, Action::Spindle(spindle));
         }
@@ -120,8 +121,20 @@ impl Interpreter<'_> {
         Ok(())
     }
 
-    /// A spindle event of the main spindle in its present state.
+    /// A spindle event of the main spindle in its present state, of a common word of the block.
     pub(super) fn emit_main_spindle(
+        &mut self,
+        sink: &mut impl Sink,
+        rules: RuleSet,
+        with_motion: bool,
+        clamp: Option<i64>,
+    ) {
+        let rules = if self.common() == Common::ForBoth { rules.with(AX4_06) } else { rules };
+        self.show_main_spindle(sink, rules, with_motion, clamp);
+    }
+
+    /// A spindle event of the main spindle in its present state.
+    pub(super) fn show_main_spindle(
         &mut self,
         sink: &mut impl Sink,
         mut rules: RuleSet,
@@ -137,9 +150,6 @@ impl Interpreter<'_> {
         let constant = self.state.constant_speed;
         if constant {
             rules = rules.with(CSS_01);
-        }
-        if self.common() == Common::ForBoth {
-            rules = rules.with(AX4_06);
         }
         let mut readings = ReadingSet::default();
         match choice.limit {

@@ -8,6 +8,7 @@ use super::arithmetic::limit::{self, Limited};
 use super::arithmetic::{frame, turn};
 use super::barriers::Watch;
 use super::contour;
+use super::cycle;
 use super::planted::{self, Bug};
 use super::sides::{Turret, nose_radii, tool_offsets};
 use super::thread::Kept;
@@ -126,6 +127,8 @@ pub struct State {
     pub thread: Kept,
     /// What contour generation and coordinate conversion remember.
     pub contour: contour::Kept,
+    /// What the cycles of driven tools remember.
+    pub cycle: cycle::Kept,
 }
 
 impl State {
@@ -209,6 +212,7 @@ impl State {
             stops_used: 0,
             thread: Kept::default(),
             contour: contour::Kept::default(),
+            cycle: cycle::Kept::default(),
         }
     }
 

@@ -28,11 +28,12 @@ macro_rules! addresses {
 
 addresses! {
     A "A", B "B", C "C", D "D", E "E", F "F", G "G", H "H", I "I", J "J", K "K", L "L", M "M", P "P", Q "Q",
-    S "S", T "T", U "U", W "W", X "X", Y "Y", Z "Z", SB "SB", SA "SA", QA "QA", PZ "PZ", PW "PW", Calrg "CALRG"
+    R "R", S "S", T "T", U "U", W "W", X "X", Y "Y", Z "Z", SB "SB", SA "SA", QA "QA", PZ "PZ", PW "PW", DA "DA",
+    Calrg "CALRG"
 }
 
 /// Number of addresses.
-const ADDRESSES: usize = 28;
+const ADDRESSES: usize = 30;
 
 impl Address {
     /// Its bit in a set of addresses.
@@ -63,6 +64,8 @@ impl Address {
             Address::U,
             Address::H,
             Address::L,
+            Address::R,
+            Address::DA,
         ]);
         self.bit() & LENGTHS != 0
     }
@@ -266,6 +269,11 @@ pub struct Words {
     count: u8,
     /// The value of F, which depends on the mode that uses it.
     pub feed: Number,
+    /// The values of D and E before they were rounded: what they measure depends on the cycle.
+    pub exact_d: Number,
+    pub exact_e: Number,
+    /// Whether the block has an assignment before the word that comes.
+    assigned: bool,
     g: [u16; GROUPS],
     g_count: u8,
     g_groups: u16,
@@ -287,6 +295,9 @@ impl Default for Words {
             order: [Address::A; ADDRESSES],
             count: 0,
             feed: Number::Integer(0),
+            exact_d: Number::Integer(0),
+            exact_e: Number::Integer(0),
+            assigned: false,
             g: [0; GROUPS],
             g_count: 0,
             g_groups: 0,
@@ -302,10 +313,27 @@ impl Words {
     pub fn clear(&mut self) {
         self.present = 0;
         self.count = 0;
+        self.assigned = false;
         self.g_count = 0;
         self.g_groups = 0;
         self.m_count = 0;
         self.m_groups = 0;
+    }
+
+    /// Notes an assignment.
+    pub fn note_assignment(&mut self) {
+        self.assigned = true;
+    }
+
+    /// Whether there is a word.
+    #[inline]
+    pub fn any(&self) -> bool {
+        self.count != 0 || self.g_count != 0 || self.m_count != 0
+    }
+
+    /// Whether the word that comes is the first item of its block.
+    pub fn begins(&self) -> bool {
+        !self.assigned && !self.any()
     }
 
     /// Notes that an address was met; false when it was there already.

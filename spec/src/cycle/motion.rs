@@ -171,6 +171,7 @@ pub fn carry_out(go: &Go, plan: &Plan, state: &mut State) -> Outcome<Option<Emis
     }
     barrier::check(&element, from, target, state)?;
     state.frame.machine = Amounts { x: wanted.x, z: wanted.z, c: wanted.c, ..before };
+    state.contour.wind(c_travel);
     state.cut_last = cuts;
     let event = event(go, c_travel, before, state)?
         .rules(rules.union(coordinate_rules(plan)))

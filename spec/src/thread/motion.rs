@@ -105,6 +105,7 @@ pub fn carry_out(step: &Step, thread: &Thread, plan: &Plan, state: &mut State) -
     state.cut_last = cuts;
     let event = event(step, thread, before, state)
         .rules(coordinate_rules(plan))
+        .rule_if(state.frame.mirrored, MIRR_05)
         .readings(coordinate_readings(plan, state.setup));
     Ok(barrier::tested(event, &element, state))
 }

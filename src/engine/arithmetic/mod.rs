@@ -8,6 +8,7 @@ pub mod area;
 pub mod contour;
 pub mod decimal_code;
 pub mod digits;
+pub mod drilling;
 pub mod feed;
 pub mod frame;
 pub mod idle;

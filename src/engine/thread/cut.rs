@@ -28,7 +28,7 @@ pub struct PassCites {
 
 impl Interpreter<'_> {
     /// What all motions of a block cite.
-    pub(super) fn cited_by_words(&mut self, words: &Words) -> Cited {
+    pub(in crate::engine) fn cited_by_words(&mut self, words: &Words) -> Cited {
         let rules = self.cites.rules(self.plane_cites(words));
         Cited { rules, ..Cited::default() }.by_if(self.inch_block, self.known.inch)
     }

@@ -22,6 +22,7 @@ use super::fault::Fault;
 use super::words::{Address, Words};
 use axis::Axes;
 use infeed::{Infeed, Pattern};
+pub use motion::Cited;
 use single::Cycle;
 
 /// Whether a motion mode cuts threads.
@@ -109,6 +110,11 @@ impl Kept {
     pub fn select_motion(&mut self, code: u16) {
         self.cycle = None;
         self.chain &= matches!(code, 34 | 35);
+    }
+
+    /// J.
+    pub fn divisor(&self) -> i64 {
+        self.divisor
     }
 
     /// A block that moves between the legs ends their chain (E100L-G34-05).

@@ -1,5 +1,6 @@
 //! The motions of a thread: tests, event, rules (execution of threads, 7 and 9).
 
+use turnspec_oracle::vocabulary::rule_ids::MIRR_05;
 use turnspec_oracle::vocabulary::{
     Action, Angle, Feed, FeedRate, FeedUnit, LeadAxis, Length, Motion, Part, ReadingSet, RuleSet, Sink,
 };
@@ -116,11 +117,14 @@ impl Interpreter<'_> {
         let (pass, part) = part.unzip();
         let motion = Motion {
             program: self.position(end.x, end.z, |axis| self.state.program(axis)),
-            machine: self.position(machine[X], machine[Z], |axis| machine[axis]),
+            machine: self.position(self.state.machine_x(machine[X]), machine[Z], |axis| machine[axis]),
             pass,
             part,
             ..Motion::default()
         };
+        if self.state.mirror < 0 {
+            cited = cited.and(const { RuleSet::of(&[MIRR_05]) });
+        }
         let action = match drive {
             Drive::Rapid => Action::Rapid { motion },
             Drive::Thread(Thread { axis, change, start }, lead) => Action::Thread {
