@@ -2,7 +2,8 @@
 //! search for its line ends, and LinuxCNC's `rs274` on the same motions when it is installed
 //! (`scripts/install-rs274.sh`).
 //!
-//! `cargo bench --bench throughput` prints a table; a number after `--` is the number of blocks.
+//! `cargo bench --bench throughput` prints a table; a number after `--` is the number of blocks. A block of a thread cycle
+//! makes many motions, so that its rows count these.
 
 use std::error::Error;
 use std::fmt::Write as _;
@@ -49,8 +50,14 @@ fn main() -> Result<(), Box<dyn Error>> {
         row(&mut out, long, "engine", || engine(long))?;
         row(&mut out, short, "oracle", || oracle(short))?;
     }
+    let cycles = threads(blocks)?;
+    for (long, short) in cycles.iter().zip(&threads(blocks / ORACLE_SHARE)?) {
+        row(&mut out, long, "engine", || engine(long))?;
+        row(&mut out, long, "engine, trace as JSON", || engine_with_json(long))?;
+        row(&mut out, short, "oracle", || oracle(short))?;
+    }
     rs274(&mut out, &programs[0])?;
-    for load in &programs {
+    for load in programs.iter().chain(&cycles) {
         writeln!(out, "{}: {}", load.name, slow_paths(load))?;
     }
     Ok(())
@@ -76,6 +83,30 @@ fn loops(blocks: usize) -> [Workload; 2] {
         of("loop with IF and variables", counting_loop(blocks)),
         of("nested CALL and RTS", nested_calls(blocks * 3 / 11)),
     ]
+}
+
+/// Thread cycles of many passes, counted by their motions, about so many: plain ones; depths that are roots, by turns on
+/// two flanks that are no right angle; and tapers by an angle, changing leads and chamfers.
+fn threads(motions: usize) -> Result<[Workload; 3], Box<dyn Error>> {
+    let start = "G00 X60 Z60 S500 M03 F1.5";
+    // 100 passes of four motions each.
+    let steps = ("motions of threads in steps", "G71 X40 Z10 D0.1 H10 M74", 400);
+    let roots = ("motions of threads by area, two flanks", "G71 X40 Z10 B60 D1 H10 M75 M33", 400);
+    // 50 passes with a chamfer each, on the face.
+    let tapers =
+        ("motions of face threads, taper and chamfer", "G72 X10 Z20 A91 D0.2 H10 E0.01 L2 M74 M23", 250);
+    let load = |(name, cycle, each): (&'static str, &str, usize)| -> Result<Workload, Box<dyn Error>> {
+        let text = format!("{start}\n{}M02\n", format!("{cycle}\n").repeat(motions.div_ceil(each)));
+        let (text, setup) = (text.into_bytes(), Setup::default());
+        let mut blocks = 0;
+        ended(turnspec::engine::run(&text, &setup, &mut |event: &Event| {
+            let moves =
+                matches!(event.action, Action::Rapid { .. } | Action::Linear { .. } | Action::Thread { .. });
+            blocks += usize::from(moves);
+        }))?;
+        Ok(Workload { name, text, setup, blocks })
+    };
+    Ok([load(steps)?, load(roots)?, load(tapers)?])
 }
 
 /// How often the engine needed exact integers because `f64` left a rounding or a sign in doubt.

@@ -1,6 +1,6 @@
-//! Nose radius compensation against the implementation in Python that was written from the rule text alone
-//! (`conformance/reference`): examples of the rules, conformance cases, and random contours. Where Python 3.11 is
-//! not, the tests say so and pass.
+//! Nose radius compensation and thread cutting against the implementations in Python that were written from the rule
+//! text alone (`conformance/reference`): examples of the rules, conformance cases, random contours and cycles. Where
+//! Python 3.11 is not, the tests say so and pass.
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
@@ -9,8 +9,10 @@ use std::process::{Command, Stdio};
 
 const TURNSPEC: &str = env!("CARGO_BIN_EXE_turnspec");
 const ROOT: &str = env!("CARGO_MANIFEST_DIR");
+const COMPENSATION: &str = "compensation.py";
+const THREADS: &str = "threads.py";
 /// The chapters whose examples are computed, with the fewest examples that have to lie within the subset.
-const CHAPTERS: [(&str, usize); 11] = [
+const CHAPTERS_OF_COMPENSATION: [(&str, usize); 11] = [
     ("compensation", 38),
     ("compensation-entry", 50),
     ("compensation-corners", 26),
@@ -22,6 +24,13 @@ const CHAPTERS: [(&str, usize); 11] = [
     ("coordinates", 20),
     ("motion", 8),
     ("c-axis", 14),
+];
+const CHAPTERS_OF_THREADS: [(&str, usize); 5] = [
+    ("threads", 39),
+    ("threads-continuous", 13),
+    ("thread-common", 37),
+    ("thread-cycles", 34),
+    ("thread-infeed", 26),
 ];
 
 /// The command of a Python that knows TOML, that is 3.11 or later.
@@ -42,10 +51,10 @@ fn python() -> Option<&'static str> {
     found
 }
 
-/// Exit status and standard output of the reference; what it writes to standard error is a fault.
-fn reference<S: AsRef<str>>(python: &str, arguments: &[S]) -> (Option<i32>, String) {
+/// Exit status and standard output of a reference; what it writes to standard error is a fault.
+fn reference<S: AsRef<str>>(python: &str, script: &str, arguments: &[S]) -> (Option<i32>, String) {
     let mut command = Command::new(python);
-    command.args(["-B", "conformance/reference/compensation.py"]).current_dir(ROOT);
+    command.arg("-B").arg(format!("conformance/reference/{script}")).current_dir(ROOT);
     let output = command.args(arguments.iter().map(AsRef::as_ref)).output().unwrap();
     assert_eq!(String::from_utf8_lossy(&output.stderr), "");
     (output.status.code(), String::from_utf8(output.stdout).unwrap())
@@ -62,57 +71,106 @@ fn agreeing(line: &str) -> usize {
 }
 
 #[test]
-fn the_examples_of_the_rules_agree() {
+fn examples_of_compensation_agree() {
+    examples_agree(COMPENSATION, &CHAPTERS_OF_COMPENSATION);
+}
+
+#[test]
+fn examples_of_threads_agree() {
+    examples_agree(THREADS, &CHAPTERS_OF_THREADS);
+}
+
+fn examples_agree(script: &str, chapters: &[(&str, usize)]) {
     let Some(python) = python() else { return };
-    let chapters = CHAPTERS.map(|(chapter, _)| format!("spec/rules/e100l/{chapter}.md"));
-    let arguments: Vec<&str> = ["--check"].into_iter().chain(chapters.iter().map(String::as_str)).collect();
-    let (status, stdout) = reference(python, &arguments);
+    let paths = chapters.iter().map(|(chapter, _)| format!("spec/rules/e100l/{chapter}.md"));
+    let arguments: Vec<String> = ["--check".to_owned()].into_iter().chain(paths).collect();
+    let (status, stdout) = reference(python, script, &arguments);
     assert_eq!(status, Some(0), "{stdout}");
-    assert_eq!(stdout.lines().count(), CHAPTERS.len(), "{stdout}");
-    for (line, (chapter, least)) in stdout.lines().zip(CHAPTERS) {
-        assert!(agreeing(line) >= least, "{chapter}: {line}");
+    assert_eq!(stdout.lines().count(), chapters.len(), "{stdout}");
+    for (line, (chapter, least)) in stdout.lines().zip(chapters) {
+        assert!(agreeing(line) >= *least, "{chapter}: {line}");
     }
 }
 
 #[test]
-fn conformance_cases_agree_and_those_of_compensation_are_all_computed() {
+fn cases_agree_and_those_of_compensation_are_all_computed() {
+    cases_agree(COMPENSATION, "s6-");
+}
+
+#[test]
+fn cases_agree_and_those_of_threads_are_all_computed() {
+    cases_agree(THREADS, "s7-");
+}
+
+/// `section`: the beginning of the names of the cases that lie within the subset.
+fn cases_agree(script: &str, section: &str) {
     let Some(python) = python() else { return };
     let entries = fs::read_dir(format!("{ROOT}/conformance/cases/e100l")).unwrap();
     let names = entries.map(|entry| entry.unwrap().file_name().into_string().unwrap());
-    let (of_compensation, others): (Vec<String>, Vec<String>) =
-        names.filter(|name| name.ends_with(".json")).partition(|name| name.starts_with("s6-"));
+    let (own, others): (Vec<String>, Vec<String>) =
+        names.filter(|name| name.ends_with(".json")).partition(|name| name.starts_with(section));
     let arguments = |names: &[String]| -> Vec<String> {
         let paths = names.iter().map(|name| format!("conformance/cases/e100l/{name}"));
         ["--cases".to_owned()].into_iter().chain(paths).collect()
     };
-    let (status, stdout) = reference(python, &arguments(&others));
+    let (status, stdout) = reference(python, script, &arguments(&others));
     assert_eq!(status, Some(0), "{stdout}");
     assert!(agreeing(&stdout) > 0, "{stdout}");
-    if !of_compensation.is_empty() {
-        let (status, stdout) = reference(python, &arguments(&of_compensation));
-        assert_eq!((status, agreeing(&stdout)), (Some(0), of_compensation.len()), "{stdout}");
-    }
+    let (status, stdout) = reference(python, script, &arguments(&own));
+    assert_eq!((status, agreeing(&stdout)), (Some(0), own.len()), "{stdout}");
+    assert!(!own.is_empty());
 }
 
 #[test]
 fn random_contours_agree_with_engine_and_oracle() {
-    let Some(python) = python() else { return };
+    random_programs_agree(COMPENSATION, "contour");
+}
+
+#[test]
+fn random_cycles_agree_with_engine_and_oracle() {
+    let Some(stdout) = random_programs_agree(THREADS, "cycle") else { return };
+    // Patterns, flanks, starts, chamfers, tapers and changes of the lead are all among them.
+    for rule in ["TINF-02", "TINF-03", "TINF-04", "TINF-05", "TINF-06", "TINF-07", "TMOD-03", "TMOD-04"]
+        .into_iter()
+        .chain(["TMUL-01", "TMUL-02", "TCHM-04", "G33-06", "G33-07", "G71-05", "G71-07", "G72-03", "G34-02"])
+    {
+        let count =
+            stdout.split_once(&format!("{rule} ")).and_then(|(_, rest)| rest.split([',', '\n']).next());
+        assert!(count.and_then(|count| count.parse::<u32>().ok()) > Some(5), "{rule}: {stdout}");
+    }
+}
+
+/// Runs 200 random programs; what is printed.
+fn random_programs_agree(script: &str, noun: &str) -> Option<String> {
+    let python = python()?;
     let engine = format!("'{TURNSPEC}' run --format jsonl --with engine --setup {{setup}} {{program}}");
     let oracle = engine.replace("engine", "oracle");
-    let (status, stdout) =
-        reference(python, &["--contours", "200", "--seed", "1", "--with", &engine, "--with", &oracle]);
+    let option = format!("--{noun}s");
+    let arguments = [option.as_str(), "200", "--seed", "1", "--with", &engine, "--with", &oracle];
+    let (status, stdout) = reference(python, script, &arguments);
     assert_eq!(status, Some(0), "{stdout}");
-    let ends =
-        stdout.strip_prefix("200 contours, ").and_then(|rest| rest.split(' ').next()?.parse::<u32>().ok());
-    assert!(ends > Some(100), "most contours should reach their end: {stdout}");
-    assert_eq!(stdout.matches(": 200 of 200 contours agree").count(), 2, "{stdout}");
+    let ends = stdout.strip_prefix(&format!("200 {noun}s, "));
+    let ends = ends.and_then(|rest| rest.split(' ').next()?.parse::<u32>().ok());
+    assert!(ends > Some(100), "most {noun}s should reach their end: {stdout}");
+    assert_eq!(stdout.matches(&format!(": 200 of 200 {noun}s agree")).count(), 2, "{stdout}");
+    Some(stdout)
 }
 
 #[test]
 fn an_implementation_without_nose_radii_is_found() {
+    an_implementation_without_set_up_is_found(COMPENSATION, "contour");
+}
+
+#[test]
+fn an_implementation_without_readings_is_found() {
+    an_implementation_without_set_up_is_found(THREADS, "cycle");
+}
+
+fn an_implementation_without_set_up_is_found(script: &str, noun: &str) {
     let Some(python) = python() else { return };
     let without_setup = format!("'{TURNSPEC}' run --format jsonl {{program}}");
-    let (status, stdout) = reference(python, &["--contours", "10", "--with", &without_setup]);
+    let option = format!("--{noun}s");
+    let (status, stdout) = reference(python, script, &[option.as_str(), "10", "--with", &without_setup]);
     assert_eq!(status, Some(1), "{stdout}");
     for part in [" of seed 1 differs:\nN1 G00", "set-up:\n", "expected: ", "got: "] {
         assert!(stdout.contains(part), "{part:?} is missing: {stdout}");

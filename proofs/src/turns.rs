@@ -1,9 +1,9 @@
 //! Theorems about angles of the C axis.
 
-use turnspec::engine::arithmetic::turn::{TURN, shift, travel, within};
+use turnspec::engine::arithmetic::turn::{TURN, share, shift, travel, within};
 use turnspec_oracle::integer::turn as oracle;
 
-use crate::draw::between;
+use crate::draw::{between, factor};
 #[cfg(stand_in)]
 use crate::kani;
 
@@ -112,6 +112,34 @@ theorems! {
         assert!(forward - back == if present == target { 0 } else { TURN });
     }
 
+    /// No start of a thread is a full turn away, and the first is where the spindle stands.
+    /// Of: `turn::share`
+    /// Assumes: at most 8 starts for the model checker, at most 9999 for the property tests.
+    /// Rules: E100L-TMUL-01
+    #[unwind(2)]
+    fn a_start_is_less_than_a_turn_away() {
+        let starts = i64::try_from(factor(9999).abs()).unwrap_or(1);
+        kani::assume(starts > 0);
+        let number = between(0, starts - 1);
+        let share = share(number, starts);
+        kani::cover!(number > 1, "the third start");
+        assert!((0..TURN).contains(&share) && (share == 0) == (number == 0));
+    }
+
+    /// The starts of a thread are even shares of a turn, each rounded.
+    /// Of: `turn::share`
+    /// Assumes: at most 8 starts for the model checker, at most 9999 for the property tests.
+    /// Rules: E100L-TMUL-01
+    #[unwind(2)]
+    fn starts_are_even_shares() {
+        let starts = i64::try_from(factor(9999).abs()).unwrap_or(1);
+        kani::assume(starts > 0);
+        let number = between(0, starts - 1);
+        let over = share(number, starts) * starts - number * TURN;
+        kani::cover!(over != 0, "a share that is rounded");
+        assert!(2 * over.abs() <= starts);
+    }
+
     /// Engine and oracle bring angles into a turn alike.
     /// Of: `turn::within`, `turn::shift`, `integer::turn::within`, `integer::turn::shift`
     /// Assumes: angles of at most four turns.
@@ -140,6 +168,13 @@ refutations! {
     #[unwind(2)]
     fn the_axis_goes_the_shorter_way() {
         assert!(travel(angle(), angle(), 0, kani::any()).abs() <= TURN / 2);
+    }
+
+    /// False: the starts of a thread make up a turn exactly.
+    #[unwind(2)]
+    fn shares_are_exact() {
+        let starts = between(1, 8);
+        assert!(share(1, starts) * starts == TURN);
     }
 
     /// False: a zero shift is an angle within a turn.

@@ -13,6 +13,7 @@ pub mod mirror;
 pub mod modes;
 pub mod nose;
 pub mod steps;
+pub mod thread;
 pub mod tool;
 pub mod turn;
 

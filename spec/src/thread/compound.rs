@@ -8,6 +8,7 @@ use super::pass::{Citations, Pass, Spot};
 use super::taper::Taper;
 use crate::emission::Emission;
 use crate::fault::{Fault, Outcome};
+use crate::integer::thread::level_above;
 use crate::modal::Plan;
 use crate::quantity::{round_narrow, whole};
 use crate::state::State;
@@ -106,7 +107,7 @@ impl Compound {
         let citations = self.citations(is_last, start_angle, infeed, flank_cited, state.setup);
         Pass {
             thread: Thread { start_angle, ..self.pass.thread },
-            level: self.pass.level + self.pass.side * above,
+            level: level_above(self.pass.level, self.pass.side, above),
             flank,
             citations,
             ..self.pass

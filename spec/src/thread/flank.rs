@@ -1,6 +1,7 @@
 //! On which flank a pass of a compound cycle cuts (E100L-TMOD-01 to -04).
 
 use super::motion::Cited;
+use crate::integer::thread::{is_left_by_turns, shift_side};
 use crate::quantity::{narrow, ratio, whole};
 use crate::real::{self, Interval};
 use crate::state::State;
@@ -33,10 +34,9 @@ impl Flanks {
         let left = match self {
             Self::Left => true,
             Self::Right => false,
-            Self::ByTurns => number % 2 == 1,
+            Self::ByTurns => is_left_by_turns(number),
         };
-        let negative = left == (reading == ThreadFlank::Negative);
-        if negative { -1 } else { 1 }
+        shift_side(left, reading)
     }
 
     /// What the events of a pass name that is shifted.

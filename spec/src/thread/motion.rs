@@ -5,6 +5,7 @@ use crate::barrier;
 use crate::emission::Emission;
 use crate::fault::Outcome;
 use crate::frame::Amounts;
+use crate::integer;
 use crate::modal::Plan;
 use crate::path::{Axes, Element, Point, Shape, coordinate_readings, coordinate_rules, feed_path, standing};
 use crate::state::State;
@@ -141,7 +142,7 @@ fn event(step: &Step, thread: &Thread, before: Amounts, state: &State) -> Emissi
     }
 }
 
-/// E100L-TCHM-03: the rate of chamfer and withdrawal, in picometres per minute: 0.001 mm in 12.8 ms are 4.6875 mm/min.
+/// E100L-TCHM-03: the rate of chamfer and withdrawal, in picometres per minute.
 pub fn withdrawal_rate(setup: &Setup) -> i64 {
-    i64::from(setup.parameters.thread_chamfer_feed) * 4_687_500_000
+    integer::thread::withdrawal_rate(setup.parameters.thread_chamfer_feed)
 }

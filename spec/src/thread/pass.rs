@@ -10,12 +10,13 @@ use super::motion::{Cited, Step, Thread, Work, carry_out};
 use super::taper::Taper;
 use crate::emission::Emission;
 use crate::fault::{Fault, Outcome};
+use crate::integer::thread as integer;
 use crate::modal::Plan;
 use crate::path::{Axes, Point};
 use crate::quantity::{Exact, round_narrow, whole};
 use crate::state::State;
 use crate::vocabulary::rule_ids::*;
-use crate::vocabulary::{AlarmName, LeadAxis, Part, TaperReference, ThreadShift};
+use crate::vocabulary::{AlarmName, LeadAxis, Part};
 
 /// A point by its coordinates on the lead axis and on the other one, in nanometres.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -156,11 +157,8 @@ impl Pass {
         let (direction, from) = self.beginning(state)?;
         let rise = self.taper.rise(self.thread.axis, from, self.end)?;
         // E100L-G33-05.
-        let (first, last) = match state.setup.readings.taper_reference {
-            TaperReference::Start => (self.level, self.level + rise),
-            TaperReference::End => (self.level - rise, self.level),
-        };
-        let is_beyond = |level: i64| self.side * (self.start.level - level) <= 0;
+        let (first, last) = integer::levels(self.level, rise, state.setup.readings.taper_reference);
+        let is_beyond = |level: i64| integer::is_beyond(self.side, self.start.level, level);
         if is_beyond(first) || is_beyond(last) {
             return Err(Fault::about(AlarmName::Unspecified, G33_04, "side"));
         }
@@ -173,15 +171,9 @@ impl Pass {
 
     /// E100L-G33-04, E100L-G33-07: the way of the lead axis, and where the thread begins on it.
     fn beginning(&self, state: &State) -> Outcome<(i64, i64)> {
-        let direction = (self.end - self.start.lead).signum();
-        let from = match state.setup.readings.thread_shift {
-            ThreadShift::TowardEnd => self.start.lead + direction * self.shift,
-            ThreadShift::Coordinate => self.start.lead + self.shift,
-        };
-        if direction == 0 || direction * (self.end - from) <= 0 {
-            return Err(Fault::about(AlarmName::Unspecified, G33_04, "length"));
-        }
-        Ok((direction, from))
+        let reading = state.setup.readings.thread_shift;
+        integer::beginning(self.start.lead, self.end, self.shift, reading)
+            .ok_or_else(|| Fault::about(AlarmName::Unspecified, G33_04, "length"))
     }
 
     /// What every event but that of the return names.

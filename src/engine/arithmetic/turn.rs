@@ -1,5 +1,7 @@
 //! Angles of the C axis within a full turn, and the way between two of them (E100L-CAX-05, E100L-CAX-06,
-//! E100L-CGF-10, E100L-G50-04).
+//! E100L-CGF-10, E100L-G50-04); the angles at which a thread starts.
+
+use super::round::Rounding;
 
 /// A full turn in micro-degrees.
 pub const TURN: i64 = 360_000_000;
@@ -23,6 +25,13 @@ pub fn shift(shift: i64) -> i64 {
 pub fn shorter(present: i64, target: i64) -> i64 {
     let ahead = within(target - present);
     if ahead <= TURN / 2 { ahead } else { ahead - TURN }
+}
+
+/// The angle of the start with a number, from 0, of a thread with so many starts, at most 9999: an even share of a turn,
+/// rounded (E100L-TMUL-01).
+#[must_use]
+pub fn share(number: i64, starts: i64) -> i64 {
+    Rounding::HalfAway.divide_narrow(number * TURN, starts)
 }
 
 /// The way from one angle to another, both within a turn, in the positive or in the negative direction, with so

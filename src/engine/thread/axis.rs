@@ -2,6 +2,7 @@
 
 use turnspec_oracle::vocabulary::{FeedLength, LeadAxis};
 
+use crate::engine::arithmetic::lead_axis::{halves, twice_length};
 use crate::engine::arithmetic::plane::Point;
 
 /// The lead axis, and how lengths along X count.
@@ -30,20 +31,16 @@ impl Axes {
 
     /// How many coordinates make a length of two along the lead axis: a radius is half a diameter.
     pub fn lead_halves(self) -> i128 {
-        Self::halves(self.lead == LeadAxis::X, self.reading)
+        halves(self.lead == LeadAxis::X, self.reading)
     }
 
     /// The same of the other axis.
     pub fn level_halves(self) -> i128 {
-        Self::halves(self.lead == LeadAxis::Z, self.reading)
-    }
-
-    fn halves(is_x: bool, reading: FeedLength) -> i128 {
-        if is_x && reading == FeedLength::Radius { 1 } else { 2 }
+        halves(self.lead == LeadAxis::Z, self.reading)
     }
 
     /// Twice the length between two coordinates of the lead axis (E100L-G32-03), in nanometres; at most 2^65.
     pub fn twice_length(self, from: i64, to: i64) -> i128 {
-        i128::from(from.abs_diff(to)) * self.lead_halves()
+        twice_length(from, to, self.lead_halves())
     }
 }

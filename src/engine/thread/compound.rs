@@ -7,8 +7,7 @@ use turnspec_oracle::vocabulary::{AlarmName, BalancedInfeed, LeadAxis, RuleSet, 
 use crate::engine::Interpreter;
 use crate::engine::arithmetic::frame::coordinate;
 use crate::engine::arithmetic::plane::Point;
-use crate::engine::arithmetic::round::Rounding;
-use crate::engine::arithmetic::turn::TURN;
+use crate::engine::arithmetic::turn;
 use crate::engine::block::OneShot;
 use crate::engine::fault::Fault;
 use crate::engine::state::{X, Z};
@@ -140,7 +139,7 @@ impl Interpreter<'_> {
         let thread = Thread {
             axis: compound.axis,
             change: whole.lead.change,
-            start: Rounding::HalfAway.divide_narrow(start * TURN, compound.starts),
+            start: turn::share(start, compound.starts),
         };
         let cites = self.compound_cites(compound, depth, &pass, thread.start != 0, is_last);
         let number = u32::try_from(depth.number).unwrap_or(u32::MAX);

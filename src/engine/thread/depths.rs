@@ -7,7 +7,7 @@ use std::cmp::Ordering;
 use turnspec_oracle::vocabulary::RuleId;
 use turnspec_oracle::vocabulary::rule_ids as rules;
 
-use crate::engine::arithmetic::round::Rounding;
+use crate::engine::arithmetic::infeed::{self, square};
 use crate::engine::exact::{Formula, Real, SlowPaths, round, sign};
 
 /// How the depths follow each other, up to the height less the allowance.
@@ -60,27 +60,19 @@ pub struct Heights {
 }
 
 impl Heights {
-    fn square(length: i64) -> i128 {
-        i128::from(length) * i128::from(length)
-    }
-
     /// H² − T², the area of the finishing pass.
     pub fn finishing_area(self) -> i128 {
-        Self::square(self.height) - Self::square(self.target)
+        square(self.height) - square(self.target)
     }
 
     /// D², the area of the first pass.
     pub fn first_area(self) -> i128 {
-        Self::square(self.step)
+        square(self.step)
     }
 
     /// How many passes remove at most an area each, the first of them aside, until the target is reached.
     pub fn balanced_count(self, area: i128) -> i64 {
-        let rest = Self::square(self.target) - self.first_area();
-        if rest <= 0 || area <= 0 {
-            return 1;
-        }
-        i64::try_from(Rounding::Up.divide(rest, area) + 1).unwrap_or(i64::MAX)
+        infeed::balanced_count(self.step, self.target, area)
     }
 }
 
@@ -180,8 +172,8 @@ impl Depths {
         let Heights { step, target, .. } = self.heights;
         let number = self.number;
         match self.sequence {
-            Sequence::Halving => self.halving(),
-            Sequence::Steps => Some(number.saturating_mul(step)).filter(|depth| *depth < target),
+            Sequence::Halving => infeed::halving(number, step, target),
+            Sequence::Steps => infeed::steps(number, step, target),
             Sequence::Areas { zigzag } => self.equal_area(zigzag, slow),
             Sequence::Balanced { count, zigzag, .. } if number < count => {
                 Some(round(&self.balanced(count, zigzag), slow))
@@ -190,21 +182,10 @@ impl Depths {
         }
     }
 
-    /// Steps of D up to T − D, then T − D/2, T − D/4 and T − D/8 (E100L-TINF-02).
-    fn halving(&self) -> Option<i64> {
-        let Heights { step, target, .. } = self.heights;
-        let before = target - step;
-        let steps = before / step + i64::from(before % step != 0);
-        match self.number - steps {
-            ..=0 => Some((self.number * step).min(before)),
-            parts @ 1..=3 => Some(Rounding::HalfAway.divide_narrow((target << parts) - step, 1 << parts)),
-            _ => None,
-        }
-    }
-
     /// √n D; on both flanks the odd ones are the mean of √(n − 1) D and √(n + 1) D (E100L-TINF-04, E100L-TINF-05).
     fn equal_area(&self, zigzag: bool, slow: &mut SlowPaths) -> Option<i64> {
-        let (number, target) = (i128::from(self.number), self.heights.target);
+        let number = i128::from(self.number);
+        let Heights { step, target, .. } = self.heights;
         let area = self.heights.first_area();
         let square = |number: i128| Square::whole(number * area);
         if zigzag && number % 2 != 0 {
@@ -212,10 +193,8 @@ impl Depths {
             let reaches = sign(&Mean { less: target, ..mean }, slow) != Ordering::Less;
             return if reaches { None } else { Some(round(&mean, slow)) };
         }
-        if number * area >= Heights::square(target) {
-            return None;
-        }
-        Some(round(&Mean { first: square(number), second: square(number), less: 0 }, slow))
+        let square = Square::whole(infeed::areas(self.number, step, target)?);
+        Some(round(&Mean { first: square, second: square, less: 0 }, slow))
     }
 
     /// e(n), or the mean of its neighbours (E100L-TINF-06).
@@ -225,7 +204,7 @@ impl Depths {
             if number == 0 {
                 return Square::whole(0);
             }
-            let part = Heights::square(heights.target) - heights.first_area();
+            let part = infeed::square(heights.target) - heights.first_area();
             Square { base: heights.first_area(), part, times: number - 1, over: count - 1 }
         };
         let number = self.number;

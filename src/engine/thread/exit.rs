@@ -6,8 +6,7 @@ use turnspec_oracle::vocabulary::rule_ids as rules;
 use turnspec_oracle::vocabulary::{SpeedLimit, SpindleState};
 
 use crate::engine::Interpreter;
-use crate::engine::arithmetic::root::narrow;
-use crate::engine::arithmetic::round::Rounding;
+use crate::engine::arithmetic::run_out;
 use crate::engine::fault::Fault;
 use crate::engine::state::X;
 
@@ -51,12 +50,12 @@ const PICO: i128 = 1000;
 
 impl Interpreter<'_> {
     /// The exit of a thread, by its L word; none of no length.
-    pub(super) fn exit(&mut self, run: &Run, run_out: Option<i64>) -> Result<Option<Exit>, Fault> {
-        let length = run_out.map_or(i128::from(run.lead.start), |length| PICO * i128::from(length));
+    pub(super) fn exit(&mut self, run: &Run, word: Option<i64>) -> Result<Option<Exit>, Fault> {
+        let length = word.map_or(i128::from(run.lead.start), |length| PICO * i128::from(length));
         if length == 0 {
             return Ok(None);
         }
-        if 2 * length > PICO * run.axes.twice_length(run.begin, run.end) {
+        if run_out::is_too_long(length, run.axes.twice_length(run.begin, run.end)) {
             return Err(unspecified(rules::TCHM_02, "chamfer"));
         }
         let turns = matches!(self.state.spindle, SpindleState::Clockwise | SpindleState::CounterClockwise);
@@ -76,29 +75,22 @@ impl Run {
     fn exit(&self, length: i128, rate: i128, speed: i64) -> Result<Exit, Fault> {
         let Self { axes, end, side, start_level, direction, lead, .. } = *self;
         let (side, way) = (i128::from(side), i128::from(direction));
-        let back = 2 * length / axes.lead_halves();
-        let from = narrow(Rounding::HalfAway.divide(PICO * i128::from(end) - way * back, PICO));
-        let rest = axes.twice_length(from, end);
-        let level = self.level_at(rest);
-        let pitch = lead.at(axes.twice_length(self.begin, end) - rest);
-        // The withdrawal is `rise / turn`: 4.6875 mm/min are 4 687 500 nm/min, halved with the doubled length, and
-        // 10^6 with the thousandths of a revolution and the picometres of the lead.
-        let unit = 2_343_750_000_000 * rate * (2 / axes.level_halves());
-        let (rise, turn) = (unit * rest, i128::from(speed) * i128::from(pitch));
+        let from = run_out::begin(end, way, length, axes.lead_halves());
+        let (whole, rest) = (axes.twice_length(self.begin, end), axes.twice_length(from, end));
+        let level = run_out::level_at(self.first, self.last, whole, rest);
+        let pitch = lead.at(whole - rest);
+        let unit = run_out::unit(rate, axes.level_halves());
+        let (rise, turn) = (run_out::rise(unit, rest), run_out::turn(speed, pitch));
         let room = side * (i128::from(start_level) - i128::from(level));
-        if room.saturating_mul(turn) > rise {
-            let below = side * (i128::from(level) - i128::from(self.last));
-            if below.saturating_mul(turn).saturating_add(rise) < 0 {
+        if !run_out::reaches_start(room, rise, turn) {
+            let above = side * (i128::from(level) - i128::from(self.last));
+            if run_out::is_deeper(above, rise, turn) {
                 return Err(unspecified(rules::TCHM_04, "taper"));
             }
-            let withdrawn = i128::from(level).saturating_mul(turn).saturating_add(side * rise);
-            let first = ((end, narrow(Rounding::HalfAway.divide(withdrawn, turn))), pitch);
+            let first = ((end, run_out::withdrawn(level, side, rise, turn)), pitch);
             return Ok(Exit { begin: (from, level), first, second: None, clamped: false });
         }
-        // The level of the start is reached where rise and way have the same share of the whole.
-        let whole = unit * axes.lead_halves();
-        let reached = i128::from(from).saturating_mul(whole) + way * room.saturating_mul(turn);
-        let reached = narrow(Rounding::HalfAway.divide(reached, whole));
+        let reached = run_out::reached(from, way, room, turn, unit, axes.lead_halves());
         let later = lead.at(axes.twice_length(self.begin, reached));
         Ok(Exit {
             begin: (from, level),
@@ -106,12 +98,5 @@ impl Run {
             second: Some(((end, start_level), later)),
             clamped: false,
         })
-    }
-
-    /// The level at twice a distance before the end, latched.
-    fn level_at(&self, rest: i128) -> i64 {
-        let whole = self.axes.twice_length(self.begin, self.end);
-        let (first, last) = (i128::from(self.first), i128::from(self.last));
-        narrow(Rounding::HalfAway.divide(first * whole + (last - first) * (whole - rest), whole))
     }
 }

@@ -4,6 +4,7 @@
 use turnspec_oracle::vocabulary::{LeadAxis, ThreadFlank};
 
 use crate::engine::Interpreter;
+use crate::engine::arithmetic::infeed;
 use crate::engine::exact::{Formula, Real, round};
 
 /// The flank of the passes.
@@ -32,10 +33,10 @@ impl Infeed {
     fn sign(self, number: i64, reading: ThreadFlank) -> i64 {
         let left = match self {
             Self::Left => true,
-            Self::Zigzag => number % 2 != 0,
+            Self::Zigzag => infeed::is_left_by_turns(number),
             Self::Right => false,
         };
-        if left == (reading == ThreadFlank::Negative) { -1 } else { 1 }
+        infeed::flank_sign(left, reading)
     }
 }
 
@@ -89,8 +90,7 @@ impl Interpreter<'_> {
         let (times, over) = if axis == LeadAxis::Z { (1, 2) } else { (2, 1) };
         let size = match angle {
             // The only angle whose half has a rational tangent, which is 1.
-            SQUARE if axis == LeadAxis::Z => rest / 2 + rest % 2,
-            SQUARE => rest * 2,
+            SQUARE => infeed::right_angle_shift(rest, axis == LeadAxis::Z),
             _ => round(&Shift { rest, times, over, half_angle: angle / 2 }, &mut self.slow),
         };
         size * self.state.thread.infeed.sign(number, self.setup.readings.thread_flank)

@@ -8,13 +8,11 @@ use turnspec_oracle::vocabulary::{
 use crate::engine::Interpreter;
 use crate::engine::arithmetic::frame::to_machine;
 use crate::engine::arithmetic::plane::Point;
+use crate::engine::arithmetic::run_out::withdrawal_rate;
 use crate::engine::cite::Cites;
 use crate::engine::fault::Fault;
 use crate::engine::motion::Kind;
 use crate::engine::state::{X, Z};
-
-/// The withdrawal rate of a parameter of 1, in picometres per minute: 4.6875 mm/min (E100L-TCHM-03).
-const WITHDRAWAL: i64 = 4_687_500_000;
 
 /// Rules and readings of an event.
 #[derive(Clone, Copy, Default)]
@@ -137,7 +135,7 @@ impl Interpreter<'_> {
                 feed: None,
             },
             Drive::Withdrawal => {
-                let value = WITHDRAWAL * i64::from(self.setup.parameters.thread_chamfer_feed);
+                let value = withdrawal_rate(self.setup.parameters.thread_chamfer_feed.into());
                 let feed = Feed { value: FeedRate(value), unit: FeedUnit::PerMinute };
                 Action::Linear { motion, feed, path: Length(self.path(&start, &machine, None)) }
             }

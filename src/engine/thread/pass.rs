@@ -1,10 +1,11 @@
 //! Where one pass of G31, G32, G33, G71 or G72 goes (execution of threads, 5; E100L-G33-04 to E100L-G33-09).
 
 use turnspec_oracle::vocabulary::rule_ids as rules;
-use turnspec_oracle::vocabulary::{AlarmName, LeadAxis, TaperReference, ThreadShift};
+use turnspec_oracle::vocabulary::{AlarmName, LeadAxis};
 
 use crate::engine::Interpreter;
 use crate::engine::angle::{self, HALF_TURN};
+use crate::engine::arithmetic::thread_course as course;
 use crate::engine::exact::round;
 use crate::engine::fault::Fault;
 
@@ -60,24 +61,15 @@ impl Interpreter<'_> {
     /// Computes a pass; its alarms come before its first motion.
     pub(super) fn route(&mut self, pass: &Pass) -> Result<Route, Fault> {
         let Pass { axes, start: (start, start_level), end, level, side, lead, flank, .. } = *pass;
-        let direction = end.saturating_sub(start).signum();
-        if direction == 0 {
+        let readings = &self.setup.readings;
+        let Some(begin) = course::begin(start, end, pass.shift, readings.thread_shift) else {
             return Err(unspecified(rules::G33_04, "length"));
-        }
-        let begin = match self.setup.readings.thread_shift {
-            ThreadShift::TowardEnd => start.saturating_add(direction.saturating_mul(pass.shift)),
-            ThreadShift::Coordinate => start.saturating_add(pass.shift),
         };
-        if end.saturating_sub(begin).signum() != direction {
-            return Err(unspecified(rules::G33_04, "length"));
-        }
-        let taper = self.taper(pass, end.saturating_sub(begin))?;
-        let (first, last) = match self.setup.readings.taper_reference {
-            TaperReference::Start => (level, level.saturating_add(taper)),
-            TaperReference::End => (level.saturating_sub(taper), level),
-        };
-        let clear = |level: i64| start_level.saturating_sub(level).signum() == side;
-        if side == 0 || !clear(first) || !clear(last) {
+        let reference = readings.taper_reference;
+        let along = end.saturating_sub(begin);
+        let (direction, taper) = (along.signum(), self.taper(pass, along)?);
+        let (first, last) = course::levels(level, taper, reference);
+        if !course::is_clear(side, start_level, (first, last)) {
             return Err(unspecified(rules::G33_04, "side"));
         }
         lead.check_end(axes.twice_length(begin, end))?;
