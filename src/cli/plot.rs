@@ -22,7 +22,7 @@ use super::{ColorChoice, Failure, Verdict, exit_status, setup_help};
 ///
 /// The drawing is an SVG file; with --html it is a page that needs nothing else, in which each motion shows its block,
 /// its event and its rules. In nose radius compensation it is the path of the tip, with the programmed contour beside
-/// it. At an alarm the path up to there is drawn. The reference implementation runs.
+/// it. The passes of a cycle take six colours in turn. At an alarm the path up to there is drawn. The reference implementation runs.
 #[derive(clap::Args)]
 #[command(after_help = concat!(
     "Examples:\n  turnspec plot shaft.min -o shaft.svg\n  turnspec plot shaft.min --html -o shaft.html\n  \

@@ -44,6 +44,8 @@ pub struct Segment {
     pub way: Way,
     /// The programmed way, where the tool goes another one.
     pub programmed: Option<Way>,
+    /// The pass of a cycle that it cuts in, from 1.
+    pub pass: Option<u32>,
 }
 
 /// What is drawn of a run.
@@ -96,6 +98,8 @@ impl Plan {
                 let arc = Arc { centre: Point::of(*centre_z, *centre_x), sense };
                 self.motion(event, Kind::Arc, motion, Some(arc));
             }
+            // In a plane of the C axis: here only how far X and Z go is seen.
+            Action::ContourArc { motion, .. } => self.motion(event, Kind::Arc, motion, None),
             Action::Alarm(_) => self.alarm = Some(self.present),
             _ => {}
         }
@@ -127,7 +131,8 @@ impl Plan {
             return;
         }
         let programmed = (motion.tip.is_some() && contour != way).then_some(contour);
-        self.segments.push(Segment { n: event.n, kind, way, programmed });
+        let pass = motion.pass.filter(|_| kind != Kind::Rapid);
+        self.segments.push(Segment { n: event.n, kind, way, programmed, pass });
     }
 }
 
@@ -175,6 +180,8 @@ mod tests {
         let kinds: Vec<_> = plan.segments.iter().map(|segment| segment.kind).collect();
         assert_eq!(kinds, [Kind::Rapid, Kind::Rapid, Kind::Thread, Kind::Linear, Kind::Rapid]);
         assert_eq!(plan.segments[4].way.to, Point::new(10.0, 30.0));
+        let passes: Vec<_> = plan.segments.iter().map(|segment| segment.pass).collect();
+        assert_eq!(passes, [None, None, Some(1), Some(1), None]);
     }
 
     /// Turret B goes on from where the saddle stands: at X-20 of the machine it is at X20.

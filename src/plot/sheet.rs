@@ -10,6 +10,8 @@ use super::view::{Extent, View, WIDTH, number};
 
 /// The look of a sheet.
 const STYLE: &str = include_str!("style.css");
+/// How many colours the passes of a cycle take in turn.
+const HUES: u32 = 6;
 /// Room for titles and numbers beside the plot in pixels: left, above, right, below.
 const MARGIN: [f64; 4] = [76.0, 56.0, 24.0, 84.0];
 
@@ -67,7 +69,22 @@ fn plot(view: &View, plan: &Plan) -> Markup {
 
 /// A motion, with the number of its event.
 fn motion(view: &View, segment: &Segment) -> Markup {
-    html! { path class=(segment.kind.name()) data-n=(segment.n) d=(view.data(&segment.way)) {} }
+    let class = match segment.pass {
+        Some(pass) => format!("{} pass p{}", segment.kind.name(), pass.saturating_sub(1) % HUES),
+        None => segment.kind.name().to_owned(),
+    };
+    html! { path class=(class) data-n=(segment.n) d=(view.data(&segment.way)) {} }
+}
+
+/// A sample of the colours that passes take in turn.
+fn hues() -> Markup {
+    html! {
+        g {
+            @for hue in 0..HUES {
+                path class=(format!("pass p{hue}")) d=(format!("M{} 0h5", 5 * hue)) {}
+            }
+        }
+    }
 }
 
 fn dot(view: &View, class: &str, point: Point) -> Markup {
@@ -84,9 +101,10 @@ fn rectangle(view: &View, one: Point, other: Point) -> ((f64, f64), (f64, f64)) 
 
 /// What the lines and marks of this sheet mean.
 fn legend(plan: &Plan, y: f64) -> Markup {
-    let has = |kind: Kind| plan.segments.iter().any(|segment| segment.kind == kind);
+    let has = |kind: Kind| plan.segments.iter().any(|segment| segment.kind == kind && segment.pass.is_none());
     let kinds = Kind::ALL.into_iter().filter(|kind| has(*kind)).map(|kind| (kind.name(), kind.name()));
     let contour = plan.segments.iter().any(|segment| segment.programmed.is_some());
+    let passes = plan.segments.iter().any(|segment| segment.pass.is_some());
     let lines = kinds.chain(contour.then_some(("contour", "programmed"))).map(|(class, name)| {
         let sample = html! { path class=(class) d="M0 0h28" {} };
         (sample, name)
@@ -96,6 +114,7 @@ fn legend(plan: &Plan, y: f64) -> Markup {
     let finish = html! { circle.finish r="4" cx="14" {} };
     let alarm = html! { path.alarm d="M8 -6l12 12m0 -12l-12 12" {} };
     let marks = [
+        (passes, hues(), "passes"),
         (!plan.barriers.is_empty(), barrier, "barrier"),
         (!plan.segments.is_empty(), start, "start"),
         (!plan.segments.is_empty(), finish, "end"),
@@ -131,8 +150,21 @@ mod tests {
         for part in ["a &lt; b", "class=\"rapid\" data-n=\"1\"", "class=\"linear\"", ">alarm<", ">end<"] {
             assert!(text.contains(part), "{part}: {text}");
         }
-        for part in ["class=\"arc\"", ">barrier<", ">programmed<"] {
+        for part in [">passes<", "class=\"arc\"", ">barrier<", ">programmed<"] {
             assert!(!text.contains(part), "{part}");
         }
+    }
+
+    /// Two passes of a thread are told apart.
+    #[test]
+    fn passes_take_colours_in_turn() {
+        let mut plan = Plan::new(&Setup::default());
+        let program = b"G00 X60 Z10\nM03 S100\nG33 X50 Z-20 F2\nX49\nM02\n";
+        turnspec_oracle::run(program, &Setup::default(), &mut |event: &Event| plan.event(event));
+        let text = svg("t", &plan, Extent::All);
+        for part in ["class=\"thread pass p0\"", "class=\"thread pass p1\"", ">passes<", ">rapid<"] {
+            assert!(text.contains(part), "{part}: {text}");
+        }
+        assert!(!text.contains("pass p2\" data"), "{text}");
     }
 }
