@@ -18,19 +18,20 @@ pub fn beginning(start: i64, end: i64, shift: i64, reading: ThreadShift) -> Opti
     (direction != 0 && direction * (end - from) > 0).then_some((direction, from))
 }
 
-/// E100L-G33-05: the levels where the thread begins and where it ends.
+/// E100L-G33-05: the levels where the thread begins and where it ends, which stay at the end of 64 bits, out of every
+/// range, where a taper leads beyond.
 #[must_use]
 pub fn levels(level: i64, rise: i64, reading: TaperReference) -> (i64, i64) {
     match reading {
-        TaperReference::Start => (level, level + rise),
-        TaperReference::End => (level - rise, level),
+        TaperReference::Start => (level, level.saturating_add(rise)),
+        TaperReference::End => (level.saturating_sub(rise), level),
     }
 }
 
-/// E100L-G33-04: whether a level is not on its side of the cycle start; levels of at most 2^61. A side of 0 is none.
+/// E100L-G33-04: whether a level is not on its side of the cycle start; levels of any size. A side of 0 is none.
 #[must_use]
 pub fn is_beyond(side: i64, start: i64, level: i64) -> bool {
-    side * (start - level) <= 0
+    side == 0 || start.saturating_sub(level).signum() != side
 }
 
 /// E100L-G71-02: the level of a pass that lies so much above the last one.
