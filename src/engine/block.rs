@@ -197,7 +197,7 @@ impl Interpreter<'_> {
         self.check_speed_turret(words)?;
         let compensation = self.compensation_change(words);
         let converted = self.state.contour.converts() && !one_shot.is_conversion();
-        if converted || motion == contour::NO_CODE && !one_shot.is_conversion() {
+        if converted || motion == contour::NO_CODE {
             let needs_code = free && moves || compensation != Change::None;
             self.check_conversion(words, (one_shot, motion), needs_code)?;
         }
@@ -225,7 +225,12 @@ impl Interpreter<'_> {
         }
         if contours || converted || one_shot.is_conversion() {
             let contour_block = contours && free && moves;
-            self.check_contour_compensation(words, one_shot, (motion, contour_block), left_over)?;
+            self.check_contour_compensation(
+                words,
+                (one_shot, compensation),
+                (motion, contour_block),
+                left_over,
+            )?;
         }
         self.check_compensation(words, one_shot, (motion, compensation), left_over)?;
         if words.has_m(100) && words.code_of(GGroup::Compensation).unwrap_or(self.state.compensation) != 40 {

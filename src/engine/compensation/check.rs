@@ -99,7 +99,7 @@ impl Interpreter<'_> {
 /// A block that begins or ends compensation: its motion mode, and its imaginary point.
 fn check_change(words: &Words, one_shot: OneShot, motion: u16, change: Change) -> Result<(), Fault> {
     let begins = change == Change::Begins;
-    if motion >= 2 && motion != 101 {
+    if motion >= 2 {
         let rule = if begins { rules::NRC_19 } else { rules::NRC_72 };
         return Fault::raise(AlarmName::CompensationNotLinear, rule);
     }

@@ -7,6 +7,7 @@ use turnspec_oracle::vocabulary::{AlarmName, Label, RuleId};
 use crate::engine::Interpreter;
 use crate::engine::block::OneShot;
 use crate::engine::codes::{self, GGroup};
+use crate::engine::compensation::Change;
 use crate::engine::fault::Fault;
 use crate::engine::words::{Address, Words};
 
@@ -105,7 +106,7 @@ impl Interpreter<'_> {
     pub(in crate::engine) fn check_contour_compensation(
         &self,
         words: &Words,
-        one_shot: OneShot,
+        (one_shot, change): (OneShot, Change),
         (motion, contour_block): (u16, bool),
         left_over: bool,
     ) -> Result<(), Fault> {
@@ -130,8 +131,9 @@ impl Interpreter<'_> {
         if self.state.contour.converts() && after && !before && plane == 18 {
             return Err(unspecified(rules::CSC_09, "compensation"));
         }
+        let concerned = contour_block || motion == 101 && change != Change::None;
         // Compensation that was in force acts in G18, whatever plane the block selects behind it.
-        if contour_block && (before || after && plane == 18 || left_over) {
+        if concerned && (before || after && plane == 18 || left_over) {
             return about_code(if is_face_mode(motion) { rules::CRC_06 } else { rules::CRC_07 }, motion);
         }
         Ok(())

@@ -11,18 +11,28 @@ use crate::engine::state::{C, X};
 use crate::engine::words::{Address, Words};
 
 use super::plane::{diameter, direction};
-use super::{KeptPoint, POINT};
+use super::{POINT, Station};
 
 impl Interpreter<'_> {
     /// The kept point, if the axes stand where it has put them.
-    pub(super) fn held_point(&self) -> Option<KeptPoint> {
-        let kept = self.state.contour.conversion?.kept?;
-        ((kept.x, kept.c) == (self.state.program(X), self.state.program(C))).then_some(kept)
+    pub(super) fn held_point(&self) -> Option<Station> {
+        let (kept, shift) = self.state.contour.conversion?.kept?;
+        let state = &self.state;
+        let now = (state.program(X), state.program(C), state.zero_shift[C]);
+        ((kept.x, kept.c, shift) == now).then_some(kept)
+    }
+
+    /// Keeps the point that a block has programmed.
+    pub(super) fn keep_point(&mut self, station: Station) {
+        let shift = self.state.zero_shift[C];
+        if let Some(conversion) = &mut self.state.contour.conversion {
+            conversion.kept = Some((station, shift));
+        }
     }
 
     /// The point that a block programs, counted from a point that is needed unless both words are absolute; none
     /// when it is needed and does not hold.
-    pub(super) fn target_point(&self, words: &Words, held: Option<KeptPoint>) -> Option<Spot> {
+    pub(super) fn target_point(&self, words: &Words, held: Option<Station>) -> Option<Spot> {
         let incremental = self.state.incremental;
         if words.present() & POINT == POINT && !incremental {
             let [p, q] = [Address::X, Address::Y].map(|address| words.get(address).unwrap_or_default());
@@ -35,14 +45,13 @@ impl Interpreter<'_> {
     }
 
     /// A point with the program X and C that it becomes.
-    pub(super) fn converted(&mut self, point: Spot) -> KeptPoint {
+    pub(super) fn converted(&mut self, point: Spot) -> Station {
         let angle = self.state.contour.conversion.map_or(0, |conversion| conversion.angle);
-        let shift = match self.setup.parameters.conversion_zero_shift {
-            ConversionZeroShift::Included => 0,
-            ConversionZeroShift::Excluded => self.state.zero_shift[C],
+        let axis = match self.setup.parameters.conversion_zero_shift {
+            ConversionZeroShift::Included => angle,
+            ConversionZeroShift::Excluded => angle.saturating_sub(self.state.zero_shift[C]),
         };
-        let c = direction(point, angle.saturating_sub(shift), &mut self.slow);
-        KeptPoint { point, x: diameter(point), c }
+        Station { point, x: diameter(point), c: direction(point, axis, &mut self.slow) }
     }
 
     /// What a motion in conversion mode cites for its words.

@@ -15,7 +15,7 @@ use super::arc::Arc;
 use super::chord::Chord;
 use super::line::Lines;
 use super::motion::{Leg, Shape, face_point, word_cites};
-use super::{KeptPoint, POINT, sense, unspecified};
+use super::{POINT, Station, sense, unspecified};
 
 /// How near to the centre an arc may not pass, in nanometres.
 const NEAREST: i64 = 1_000;
@@ -45,8 +45,8 @@ enum Way {
 /// Start and target of a face block: points, and program coordinates.
 #[derive(Clone, Copy, Debug)]
 pub struct Course {
-    pub start: KeptPoint,
-    pub end: KeptPoint,
+    pub start: Station,
+    pub end: Station,
     pub bearing: Bearing,
     /// Program Z before, and the target if the block has a Z word.
     pub z: i64,
@@ -56,7 +56,7 @@ pub struct Course {
 }
 
 impl Course {
-    fn bearing(start: KeptPoint, end: KeptPoint, converted: bool) -> Bearing {
+    fn bearing(start: Station, end: Station, converted: bool) -> Bearing {
         const HALF: i64 = turn::TURN / 2;
         if start.x == 0 || end.x == 0 {
             return Bearing::Centre;
@@ -159,7 +159,7 @@ impl Interpreter<'_> {
             }
         }
         if words.has_any(POINT) {
-            self.state.contour.keep(course.end);
+            self.keep_point(course.end);
         }
         Ok(())
     }
@@ -181,8 +181,8 @@ impl Interpreter<'_> {
                 words.get(address).map_or(present, |word| coordinate(present, word, incremental))
             };
             let (to_x, to_c) = (target(Address::X, x), turn::within(target(Address::C, c)));
-            let start = KeptPoint { point: self.point_of(x, c), x, c };
-            (start, KeptPoint { point: self.point_of(to_x, to_c), x: to_x, c: to_c })
+            let start = Station { point: self.point_of(x, c), x, c };
+            (start, Station { point: self.point_of(to_x, to_c), x: to_x, c: to_c })
         };
         let bearing = Course::bearing(start, end, converted);
         Ok(Course { start, end, bearing, z, z_target, converted })

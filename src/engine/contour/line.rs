@@ -9,7 +9,7 @@ use crate::engine::arithmetic::root::root_over;
 use crate::engine::arithmetic::{feed, turn};
 use crate::engine::fault::Fault;
 
-use super::KeptPoint;
+use super::Station;
 use super::face::{Bearing, Course};
 use super::motion::{Leg, Shape};
 use super::unspecified;
@@ -53,7 +53,7 @@ impl Lines {
         let rules = rules.union(of_bearing);
         let rules = if course.z_target.is_some() { rules.with(CGF_03) } else { rules };
         let (start, end) = (course.start, course.end);
-        let leg = |path, to: KeptPoint, travel, part| Leg {
+        let leg = |path, to: Station, travel, part| Leg {
             shape: Shape::Line(path),
             face: Some((to.x, to.point)),
             z: course.z_target,
@@ -64,11 +64,11 @@ impl Lines {
             rules,
         };
         let radial =
-            |from: KeptPoint, to: KeptPoint| leg(radial_length(from.x, to.x, 0), to, 0, Some(Part::Radial));
+            |from: Station, to: Station| leg(radial_length(from.x, to.x, 0), to, 0, Some(Part::Radial));
         match self {
             Self::One(travel) => [Some(leg(course.length(travel), end, travel, None)), None, None],
             Self::Apart(travel) => {
-                let centre = |c| KeptPoint { point: Spot::default(), x: 0, c };
+                let centre = |c| Station { point: Spot::default(), x: 0, c };
                 let slow = Feed { value: FeedRate(percent_of(feed.value.0, percent)), ..feed };
                 let turn = Leg {
                     feed: slow,

@@ -65,9 +65,9 @@ pub fn takes(motion: u16, converted: bool) -> u32 {
     }
 }
 
-/// The point that the last block in conversion mode has programmed, and the program X and C that it became.
+/// A point of the face, and the program X and C there.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-struct KeptPoint {
+struct Station {
     point: Spot,
     x: i64,
     c: i64,
@@ -78,8 +78,8 @@ struct KeptPoint {
 struct Conversion {
     /// Where the first axis lies, in micro-degrees within a turn.
     angle: i64,
-    /// The kept point, once the first one is given.
-    kept: Option<KeptPoint>,
+    /// The point that the last block has programmed, and the zero shift of C then; none before the first one.
+    kept: Option<(Station, i64)>,
 }
 
 /// What contour generation and coordinate conversion remember.
@@ -109,13 +109,6 @@ impl Kept {
     /// The turns of C are counted anew.
     pub fn unwind(&mut self) {
         self.wound = 0;
-    }
-
-    /// Keeps the point that a block in conversion mode has programmed.
-    fn keep(&mut self, kept: KeptPoint) {
-        if let Some(conversion) = &mut self.conversion {
-            conversion.kept = Some(kept);
-        }
     }
 }
 

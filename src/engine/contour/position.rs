@@ -51,7 +51,7 @@ impl Interpreter<'_> {
         end[C] = turn.machine;
         self.state.machine = end;
         self.state.last_motion_cut = false;
-        self.state.contour.keep(target);
+        self.keep_point(target);
         let motion = Motion {
             c_travel: Some(Angle(turn.travel)),
             face: Some(face_point(point)),

@@ -33,6 +33,29 @@ fn codes_that_conversion_mode_leaves_undescribed() {
 }
 
 #[test]
+fn the_kept_point_does_not_outlive_its_frame() {
+    let head = "M110\nG137 C0\nG00 X30 Y40\n";
+    // The same program X and C, by another zero shift.
+    let moved = format!("{head}VZSHC=10 VZOFC=-10\nY20\nM02\n");
+    assert!(has(&moved, &["name=unspecified", "detail=start", "line=5"]));
+    let back = format!("{head}VZSHC=10 VZSHC=0\nY20\nM02\n");
+    assert!(has(&back, &["rapid", "px=30", "py=20"]));
+}
+
+#[test]
+fn compensation_neither_begins_nor_ends_with_a_line_of_the_face() {
+    assert!(has("M110\nG94 F100\nG101\nG42\nM02\n", &["name=unspecified", "detail=G101", "line=4"]));
+    let head = "M110\nG94 F100\nG42 G01 X50 Z50 T010101\nZ20\n";
+    let ended = format!("{head}G40 G17 G101 X20\nM02\n");
+    assert!(has(&ended, &["name=unspecified", "detail=G101", "line=5"]));
+}
+
+#[test]
+fn a_corner_before_conversion_mode() {
+    assert!(has("G01 G75 X10 Z10 L1 F0.2\nG137 C0\nM02\n", &["name=chamfer_corner", "line=1"]));
+}
+
+#[test]
 fn travels_of_the_c_axis_wind_it_in_every_motion() {
     let wind = "QA=1999\n".repeat(3);
     let program = format!("M110\nG94 G00 X100 {wind}G132 Z20 C60 L60 F100\nM02\n");
