@@ -119,7 +119,9 @@ pub fn check_plane(plan: &Plan, before: Before, setup: &Setup) -> Outcome<()> {
     if plan.converts && plan.compensation == Change::Begins && plane == 18 {
         return mixed();
     }
-    if plan.is_contour() && ((was || is) && plane == 18 || before.left_over) {
+    let concerned = plan.is_contour() || plan.motion() == 101 && plan.compensation != Change::Stays;
+    // Compensation that was in force acts in G18, whatever plane the block selects behind it.
+    if concerned && (was || is && plane == 18 || before.left_over) {
         let code = plan.motion();
         let rule: RuleId = if is_on_side(code) { CRC_07 } else { CRC_06 };
         return Err(unspecified(rule, code));

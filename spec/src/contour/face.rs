@@ -51,7 +51,7 @@ pub fn cut(plan: &Plan, state: &mut State, emissions: &mut Vec<Emission>) -> Out
         emissions.push(carry_out(&step, axes, feed, plan, state)?);
     }
     if plan.converts && plan.words.has_any("XY") {
-        state.contour.keep(way.end.point, way.end.x, way.end.c);
+        state.contour.keep(way.end.point, way.end.x, way.end.c, &state.frame);
     }
     Ok(())
 }

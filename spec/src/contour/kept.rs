@@ -26,6 +26,8 @@ struct KeptPoint {
     point: PlanePoint,
     x: i64,
     c: i64,
+    /// The C amount of the zero shift then.
+    shift: i64,
 }
 
 impl Kept {
@@ -46,14 +48,15 @@ impl Kept {
     }
 
     /// A block with X or Y has programmed a point, which is this program X and C.
-    pub fn keep(&mut self, point: PlanePoint, x: i64, c: i64) {
-        self.point = Some(KeptPoint { point, x, c });
+    pub fn keep(&mut self, point: PlanePoint, x: i64, c: i64, frame: &Frame) {
+        self.point = Some(KeptPoint { point, x, c, shift: frame.zero_shift.c });
     }
 
-    /// E100L-CSC-06: the point that was programmed last, if the axes stand there.
+    /// E100L-CSC-06: the point that was programmed last, if the axes stand there, with the same zero shift of C.
     pub fn point(&self, frame: &Frame) -> Option<PlanePoint> {
         let present = frame.program();
-        self.point.filter(|kept| (kept.x, kept.c) == (present.x, present.c)).map(|kept| kept.point)
+        let now = (present.x, present.c, frame.zero_shift.c);
+        self.point.filter(|kept| (kept.x, kept.c, kept.shift) == now).map(|kept| kept.point)
     }
 
     /// A G code is carried out. E100L-CGS-06, E100L-CGS-07: in the mode of the side G119 counts the turns anew.

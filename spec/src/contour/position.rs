@@ -83,6 +83,6 @@ pub fn go(plan: &Plan, state: &mut State) -> Outcome<Emission> {
     if let Action::Rapid { motion } = &mut event.action {
         motion.face = Some(face_point(point));
     }
-    state.contour.keep(point, x, c);
+    state.contour.keep(point, x, c, &state.frame);
     Ok(event)
 }
