@@ -11,7 +11,7 @@
 //! One way through it, a stage a room: `syntax` (text to blocks), `run` (which block comes next), `schedule` (which
 //! main program), `task` (expressions, variables, data communication, and the programs that run within each other),
 //! `modal` (codes and modes), `turret` (two turrets on one saddle), `saddle` (two saddles), `path` (motion), `thread`
-//! (thread cutting), `barrier` (areas to keep out of), `compensation` (nose radius), `frame` (machine coordinates and
+//! (thread cutting), `lap` (contours and their cycles), `barrier` (areas to keep out of), `compensation` (nose radius), `frame` (machine coordinates and
 //! limits); `controls` holds the tables, `integer`, `quantity` and `real` the numbers.
 
 mod barrier;
@@ -23,6 +23,7 @@ mod emission;
 mod fault;
 mod frame;
 pub mod integer;
+mod lap;
 mod modal;
 mod path;
 mod quantity;

@@ -5,6 +5,7 @@ use crate::controls::e100l::g_codes::GGroup;
 use crate::controls::e100l::m_codes::GROUPS;
 use crate::controls::e100l::system_variables::Axis;
 use crate::frame::{self, Frame, Limits, TravelLimit};
+use crate::lap;
 use crate::path::Point;
 use crate::saddle::Saddle;
 use crate::task::Memory;
@@ -13,6 +14,7 @@ use crate::turret::OwnData;
 use crate::vocabulary::{Length, MachineType, Setup, Side, SpindleState};
 
 /// The state of a control.
+#[derive(Clone)]
 pub struct State<'a> {
     /// What it runs on.
     pub setup: &'a Setup,
@@ -52,6 +54,8 @@ pub struct State<'a> {
     pub angle_target: Option<Point>,
     /// The thread that goes on in the next block.
     pub thread: thread::Kept,
+    /// What LAP keeps.
+    pub lap: lap::Kept,
 }
 
 /// The modal G codes, in the order of the groups.
@@ -125,6 +129,7 @@ impl<'a> State<'a> {
             saddle: None,
             angle_target: None,
             thread: thread::Kept::default(),
+            lap: lap::Kept::default(),
         }
     }
 

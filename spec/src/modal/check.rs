@@ -6,6 +6,7 @@ use super::machine::check_reference;
 use super::words::Words;
 use crate::controls::e100l::g_codes::{GCode, GGroup, g_code};
 use crate::fault::{Fault, Outcome, fail};
+use crate::lap;
 use crate::state::{Modes, State};
 use crate::thread;
 use crate::vocabulary::rule_ids::*;
@@ -58,6 +59,16 @@ impl Plan {
         matches!(self.one_shot, Some(71 | 72))
     }
 
+    /// Whether it is a call of LAP.
+    pub fn is_contour_call(&self) -> bool {
+        matches!(self.one_shot, Some(85..=88))
+    }
+
+    /// Whether it begins a definition of LAP.
+    pub fn begins_definition(&self) -> bool {
+        matches!(self.one_shot, Some(81..=83))
+    }
+
     /// Whether it is a motion that modal calls come after (E100L-MODIN-03).
     pub fn triggers(&self) -> bool {
         self.moves && !matches!(self.one_shot, Some(22 | 71 | 72)) && self.words.has_any("XZ")
@@ -80,6 +91,8 @@ pub struct Before {
     pub left_over: bool,
     /// Whether a motion of X or Z calls programs (E100L-MODIN-02).
     pub modal: bool,
+    /// Whether the program has the block that a call of LAP names (E100L-LAP-09).
+    pub has_contour: bool,
 }
 
 /// Checks the words of a block.
@@ -88,7 +101,8 @@ pub fn check(words: Words, before: Before, state: &State) -> Outcome<Plan> {
     let modes = select(&words, before.modes);
     let compensation = change(before.modes, modes);
     let motion = modes.get(GGroup::Motion);
-    let one_shot = words.one_shot();
+    // G80 leaves its block what it is without it.
+    let one_shot = words.one_shot().filter(|code| *code != 80);
     stands_alone(&words)?;
     // The S of a G50 block is its clamp.
     let has_speed = words.get('S').is_some() && one_shot != Some(50);
@@ -97,7 +111,11 @@ pub fn check(words: Words, before: Before, state: &State) -> Outcome<Plan> {
     }
     let is_thread = one_shot.is_none() && thread::is_mode(motion) && is_motion(&words, motion);
     thread::not_in_constant_speed(&words, modes, is_thread.then_some(motion))?;
+    lap::not_in_constant_speed(&words, modes)?;
     check_reference(&words, modes, setup)?;
+    if !matches!(one_shot, Some(75 | 76)) {
+        lap::check_contour_block(&words, state)?;
+    }
     let mut moves = false;
     match one_shot {
         Some(4) => dwell(&words)?,
@@ -113,6 +131,7 @@ pub fn check(words: Words, before: Before, state: &State) -> Outcome<Plan> {
         Some(50) => zero_shift(&words, setup)?,
         Some(code @ (75 | 76)) => {
             chamfer(code, &words, motion, setup)?;
+            lap::check_contour_block(&words, state)?;
             if before.modal && words.has_any("XZ") {
                 let detail = Label::of_code(b'G', code);
                 return Err(Fault::about(AlarmName::Unspecified, MODIN_02, detail.as_str()));
@@ -120,6 +139,7 @@ pub fn check(words: Words, before: Before, state: &State) -> Outcome<Plan> {
             path(&words, motion, before.after_angle, setup)?;
             moves = true;
         }
+        Some(code @ 85..=88) => lap::check_call(code, &words, modes, before, state)?,
         None if is_thread => {
             thread::check_block(&words, motion, state)?;
             has_axis_w(&words, setup)?;
@@ -131,7 +151,14 @@ pub fn check(words: Words, before: Before, state: &State) -> Outcome<Plan> {
         }
         Some(_) | None => {}
     }
-    every_word_has_a_function(&words, one_shot, motion, compensation)?;
+    lap::change_points_belong_to_call(&words)?;
+    match one_shot {
+        Some(code @ 85..=88) => lap::every_word_has_a_function(code, &words)?,
+        _ => {
+            let contour_feed = state.lap.definition.is_some();
+            every_word_has_a_function(&words, one_shot, motion, compensation, contour_feed)?;
+        }
+    }
     let plan = Plan { words, modes, one_shot, compensation, moves };
     thread::not_in_compensation(&plan, before)?;
     compensation::check(&plan, before, state.c_joined())?;
@@ -165,7 +192,7 @@ fn stands_alone(words: &Words) -> Outcome<()> {
     let alone = [(110, MCODE_24), (193, MCODE_36), (195, MCODE_37), (196, MCODE_37)];
     match alone.iter().find(|(code, _)| words.m.contains(code)) {
         Some((_, rule)) => fail(AlarmName::NotAlone, *rule),
-        None => Ok(()),
+        None => lap::stands_alone(words),
     }
 }
 

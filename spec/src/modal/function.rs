@@ -13,6 +13,7 @@ pub fn every_word_has_a_function(
     one_shot: Option<u16>,
     motion: u16,
     compensation: Change,
+    contour_feed: bool,
 ) -> Outcome<()> {
     let (letters, extended, calrg): (&[u8], &[&str], bool) = match (one_shot, motion) {
         (Some(4 | 28), _) => (b"", &[], false),
@@ -21,6 +22,7 @@ pub fn every_word_has_a_function(
         (Some(50), _) => (b"XZCW", &[], false),
         (Some(71), _) => (b"XZIABDUHLEJQ", &[], false),
         (Some(72), _) => (b"XZKABDWHLEJQ", &[], false),
+        (Some(81..=83), _) => (b"", &[], false),
         (Some(_), _) => (b"XZAL", &[], false),
         // E100L-NRC-23, E100L-NRC-69: the imaginary point.
         (None, 0 | 1) if compensation != Change::Stays => (b"XZCWAIK", &["QA"], false),
@@ -30,6 +32,10 @@ pub fn every_word_has_a_function(
         (None, _) => (b"XZIKL", &[], true),
     };
     for other in &words.others {
+        if contour_feed && other.address == Some(Address::Letter(b'E')) {
+            // E100L-LAP-07.
+            continue;
+        }
         let taken = match other.address {
             None => calrg,
             Some(Address::Letter(letter)) => b"PST".contains(&letter) || letters.contains(&letter),
