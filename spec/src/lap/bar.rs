@@ -118,7 +118,8 @@ impl Bar {
         let Some(start) = ground.contour.start() else { return Ok(()) };
         // E100L-AP4-01: in the first pass of mode IV there is no level before.
         let followed = ground.blank.is_none() || number > 1;
-        let begin = if last { start.place.height.clone() } else { ground.job.plane.height(level.level).into() };
+        let begin =
+            if last { start.place.height.clone() } else { ground.job.plane.height(level.level).into() };
         let mut cutting = Cutting::new(self.pass, level, followed.then_some(level.upper), begin);
         let from = if last {
             Some(start)
@@ -132,7 +133,13 @@ impl Bar {
     }
 
     /// E100L-AP1-11: a pass that begins in a recess.
-    fn pass_in_recess(&mut self, number: u32, recess: &Stop, ground: &Ground, tool: &mut Tool) -> Outcome<()> {
+    fn pass_in_recess(
+        &mut self,
+        number: u32,
+        recess: &Stop,
+        ground: &Ground,
+        tool: &mut Tool,
+    ) -> Outcome<()> {
         let Some(outer) = self.open.last() else { return Ok(()) };
         let upper = outer.level;
         self.pass = Pass { number, in_recess: true, cited: ground.cited_below(upper), ..self.pass };

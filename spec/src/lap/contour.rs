@@ -52,7 +52,9 @@ impl Outline {
     /// Without lines that have no travel.
     pub fn without_standing(mut self) -> Self {
         let mut present = self.start;
-        self.elements.retain(|element| element.arc.is_some() || element.end != std::mem::replace(&mut present, element.end));
+        self.elements.retain(|element| {
+            element.arc.is_some() || element.end != std::mem::replace(&mut present, element.end)
+        });
         self
     }
 
@@ -112,12 +114,7 @@ fn element(motion: &Recorded, plane: Plane) -> Element {
         Kind::Arc(centre, sense) => Some((plane.spot(centre), sense)),
         _ => None,
     };
-    Element {
-        end: plane.spot(motion.end),
-        arc,
-        feed: motion.mark.feed,
-        compensated: motion.mark.compensated,
-    }
+    Element { end: plane.spot(motion.end), arc, feed: motion.mark.feed, compensated: motion.mark.compensated }
 }
 
 /// The sign of a number as a whole one.
@@ -133,7 +130,7 @@ impl SignOf for Exact {
 }
 
 /// Whether an arc runs over its centre, seen with runs to the right and heights up: clockwise.
-fn is_clockwise(sense: Sense, plane: Plane) -> bool {
+pub fn is_clockwise(sense: Sense, plane: Plane) -> bool {
     let kept = plane.onward * plane.up == if plane.transverse { -1 } else { 1 };
     (sense == Sense::Clockwise) == kept
 }

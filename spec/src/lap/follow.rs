@@ -2,11 +2,11 @@
 
 use super::air::{Section, sections};
 use super::bar::Ground;
-use super::course::Stop;
+use super::course::{Stop, Stretch};
 use super::infeed::end_of;
-use super::motion::{Course, Tool};
+use super::motion::{Course, Role, Tool};
 use super::number::Number;
-use super::plane::{Place, Spot};
+use super::plane::Spot;
 use super::roles::{Pass, Straight};
 use crate::fault::Outcome;
 use crate::state::StoredFeed;
@@ -115,15 +115,21 @@ fn along(
     ground: &Ground,
     tool: &mut Tool,
 ) -> Outcome<()> {
-    let stretches = ground.contour.along(from, to);
-    let count = stretches.len();
-    for (stretch, number) in stretches.into_iter().zip(1..) {
-        let Some(element) = ground.job.rough.elements.get(stretch.element) else { continue };
+    let mut present = tool.present();
+    let mut motions = Vec::new();
+    for Stretch { element, to } in ground.contour.along(from, to) {
+        let end = ground.job.plane.latched(&to);
+        // What has no travel is no motion.
+        if std::mem::replace(&mut present, end) != end {
+            motions.push((element, end));
+        }
+    }
+    let count = motions.len();
+    for ((element, end), number) in motions.into_iter().zip(1..) {
+        let Some(element) = ground.job.rough.elements.get(element) else { continue };
         let (course, cited) = ground.job.along(element, cutting.level.feed);
         let role = ground.roles.contour(&cutting.pass, into_recess && number == count);
-        let role = super::motion::Role { cited: role.cited.and(cited), ..role };
-        let end: &Place = &stretch.to;
-        tool.go(ground.job.plane.latched(end), &course, role)?;
+        tool.go(end, &course, Role { cited: role.cited.and(cited), ..role })?;
     }
     let highest = ground.contour.highest(from, to);
     if highest > cutting.highest {

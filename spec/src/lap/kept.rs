@@ -70,7 +70,6 @@ pub struct Mark {
     pub rules: RuleSet,
 }
 
-
 impl Mark {
     /// Nothing.
     pub const NONE: Self = Self { feed: None, own_feed: None, compensated: false, rules: RuleSet::EMPTY };

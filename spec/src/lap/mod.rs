@@ -5,10 +5,12 @@
 //! [`recording`] what was read of it. A [`job`] is a cycle before its first pass: in its [`plane`] lie the [`contour`] and
 //! the blank, along whose [`course`] points at levels are sought, as exact [`number`]s. [`bar`] cuts modes I and IV, with
 //! [`infeed`] points, [`depths`], and passes that [`follow`] the contour and go through [`air`]; [`copy`] cuts mode II,
-//! [`threads`] mode III. [`motion`] carries each motion out; [`roles`] says what those of modes I and IV name.
+//! [`threads`] mode III; [`bar_copy`] cuts mode V, along a [`track`], from points in which it has to [`leave`] the contour,
+//! by the common points of [`shape`]s. [`motion`] carries each motion out; [`roles`] says what those of modes I and IV name.
 
 mod air;
 mod bar;
+mod bar_copy;
 mod check;
 mod contents;
 mod contour;
@@ -19,12 +21,15 @@ mod follow;
 mod infeed;
 mod job;
 mod kept;
+mod leave;
 mod motion;
 mod number;
 mod plane;
 mod recording;
 mod roles;
+mod shape;
 mod threads;
+mod track;
 
 pub use check::{
     change_points_belong_to_call, check_call, check_contour_block, every_word_has_a_function, has_g,
@@ -39,6 +44,7 @@ use crate::fault::Outcome;
 use crate::modal::Plan;
 use crate::state::{State, StoredFeed};
 use bar::Bar;
+use bar_copy::BarCopy;
 use copy::Copy;
 use job::Job;
 use threads::Threads;
@@ -52,15 +58,23 @@ pub enum Cycle {
     Copy(Copy),
     /// Mode III.
     Threads(Threads),
+    /// Mode V.
+    BarCopy(BarCopy),
 }
 
 impl Cycle {
     /// The cycle of a call with what was recorded of its definition, before its first pass; `feed` is the contour feed
     /// commanded last before the call.
-    pub fn begin(call: &Plan, recording: Recording, feed: Option<StoredFeed>, state: &State) -> Outcome<Self> {
+    pub fn begin(
+        call: &Plan,
+        recording: Recording,
+        feed: Option<StoredFeed>,
+        state: &State,
+    ) -> Outcome<Self> {
         let job = Job::new(call, &recording, feed, state)?;
         match (call.one_shot, &recording.blank) {
             (Some(86), None) => Ok(Self::Copy(Copy::begin(job))),
+            (Some(86), Some(_)) => BarCopy::begin(job).map(Self::BarCopy),
             (Some(88), _) => Threads::begin(job, recording.contour, state).map(Self::Threads),
             _ => Bar::begin(job, state).map(Self::Bar),
         }
@@ -72,6 +86,7 @@ impl Cycle {
             Self::Bar(cycle) => cycle.pass(state, emissions),
             Self::Copy(cycle) => cycle.pass(state, emissions),
             Self::Threads(cycle) => cycle.pass(state, emissions),
+            Self::BarCopy(cycle) => cycle.pass(state, emissions),
         }
     }
 }

@@ -108,8 +108,7 @@ fn carry_out(job: &Job, to: Spot, course: &Course, role: Role, state: &mut State
         Course::Thread(_) => (Shape::Line, None),
     };
     let cited = job.cited.and(role.cited);
-    let element =
-        Element { target, axes: Axes::PLANE, shape, rules: cited.rules, readings: cited.readings };
+    let element = Element { target, axes: Axes::PLANE, shape, rules: cited.rules, readings: cited.readings };
     element.check_range(state.setup)?;
     let machine = state.frame.to_machine(target);
     state.limits.x.check(machine.x)?;

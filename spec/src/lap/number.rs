@@ -3,8 +3,13 @@
 
 use std::cmp::Ordering;
 
-use crate::quantity::{Exact, narrow, round_narrow, whole};
+use dashu_int::IBig;
+
+use crate::quantity::{Exact, narrow, round, whole};
 use crate::real::{self, Interval};
+
+/// Different numbers of a contour differ before so many binary places behind the point.
+const MOST_BITS: usize = 512;
 
 /// a + b√h; h is not negative, and zero where b is.
 #[derive(Clone, Debug)]
@@ -43,13 +48,32 @@ impl Number {
 
     /// The whole number nearest to it, a tie away from zero.
     pub fn nearest(&self) -> i64 {
+        narrow(&self.nearest_whole())
+    }
+
+    fn nearest_whole(&self) -> IBig {
         if self.b.is_zero() {
-            return round_narrow(&self.a);
+            return round(&self.a);
         }
-        narrow(&real::nearest_whole(|precision| {
+        real::nearest_whole(|precision| {
             let root = Interval::of(&self.h, precision).sqrt();
             Interval::of(&self.a, precision).add(&Interval::of(&self.b, precision).mul(&root))
-        }))
+        })
+    }
+
+    /// A rational number between two different ones, the lesser one first.
+    pub fn between(&self, greater: &Self) -> Exact {
+        let mut between = self.a.clone();
+        for bits in (0..MOST_BITS).step_by(16) {
+            let unit = Exact::from(IBig::ONE << bits);
+            let above = self.times(&unit).nearest_whole() + IBig::ONE;
+            let below = greater.times(&unit).nearest_whole() - IBig::ONE;
+            between = Exact::from(above.clone()) / unit;
+            if above <= below {
+                break;
+            }
+        }
+        between
     }
 
     /// The greater one.
@@ -140,6 +164,18 @@ mod tests {
         assert_eq!(number(1, 2, 2), number(1, 1, 8));
         assert_eq!(number(1, 3, 4), number(7, 5, 0));
         assert_eq!(number(0, -2, 3), number(0, -1, 12));
+    }
+
+    #[test]
+    fn a_number_between_two_others_is_found() {
+        for (less, greater) in [
+            (number(0, 1, 2), number(0, 1, 3)),
+            (number(7, 0, 0), number(8, 0, 0)),
+            (number(-1, -1, 1_000_001), number(-1_001, 0, 0)),
+        ] {
+            let between = Number::from(less.between(&greater));
+            assert!(less < between && between < greater, "{less:?} {greater:?}");
+        }
     }
 
     #[test]

@@ -224,8 +224,7 @@ impl<'a> Channel<'a> {
             None if plan.is_thread() => thread::cut(plan, &mut self.state, &mut stream.emissions)?,
             _ if plan.moves => {
                 let ahead = self.look_ahead(plan)?;
-                elements =
-                    self.state.in_contour_coordinates(|state| path::elements(plan, &ahead, state))?;
+                elements = self.state.in_contour_coordinates(|state| path::elements(plan, &ahead, state))?;
             }
             _ => {}
         }

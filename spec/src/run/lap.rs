@@ -107,8 +107,7 @@ impl<'a> Channel<'a> {
         }
         let depth = self.calls.depth();
         let recording = Recording::default();
-        let mut lap =
-            Lap { call, block, depth, stage: Stage::Start, kept: None, modes, feed, recording };
+        let mut lap = Lap { call, block, depth, stage: Stage::Start, kept: None, modes, feed, recording };
         if lap.purpose() != Purpose::Finish {
             lap.kept = Some(self.state.clone());
             self.state.only_read();
@@ -261,7 +260,9 @@ impl<'a> Channel<'a> {
         let reading = self.state.lap.is_reading();
         for (place, event) in events {
             lap.recording.record(&event);
-            if !reading || matches!(event.action, Action::Variable { .. } | Action::Call { .. } | Action::Return) {
+            if !reading
+                || matches!(event.action, Action::Variable { .. } | Action::Call { .. } | Action::Return)
+            {
                 decided.push((place, event));
             }
         }
