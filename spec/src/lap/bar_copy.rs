@@ -181,9 +181,8 @@ impl BarCopy {
     fn pass_along_blank(&mut self, ground: &Ground, tool: &mut Tool) -> Outcome<()> {
         let plane = ground.job.plane;
         let track = ground.track(self.multiple);
-        let Some(start) = track.start() else { return Ok(()) };
+        let (Some(start), Some(path)) = (track.start(), track.whole(&ground.target)) else { return Ok(()) };
         self.go_in(plane.latched(&start), true, ground, tool)?;
-        let path = track.path(&start, &ground.target);
         let role = self.role(Part::Cut, &[AP5_03]);
         let role = Role { cited: role.cited.and_if(ground.moved_up, Cited::rules(&[AP5_01])), ..role };
         ground.cut(&path, self.multiple, role, tool)?;
@@ -226,7 +225,7 @@ impl BarCopy {
     /// E100L-AP5-06: a cut along the blank from the contour, and back.
     fn cut_from_contour(&self, leave: &Leave, ground: &Ground, tool: &mut Tool) -> Outcome<()> {
         let Leave { at, multiple } = leave;
-        let path = ground.track(*multiple).path(at, &ground.target);
+        let path = ground.track(*multiple).behind(at, &ground.target);
         let role = |part| self.role(part, &[AP5_06]);
         ground.cut(&path, *multiple, role(Part::Cut), tool)?;
         ground.clear(&path.highest, role(Part::Clear), tool)?;

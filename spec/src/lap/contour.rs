@@ -114,7 +114,7 @@ fn element(motion: &Recorded, plane: Plane) -> Element {
         Kind::Arc(centre, sense) => Some((plane.spot(centre), sense)),
         _ => None,
     };
-    Element { end: plane.spot(motion.end), arc, feed: motion.mark.feed, compensated: motion.mark.compensated }
+    Element { end: plane.spot(motion.end), arc, feed: motion.feed, compensated: motion.compensated }
 }
 
 /// The sign of a number as a whole one.
@@ -169,8 +169,6 @@ pub struct Circle {
     pub height: Exact,
     /// The square of its radius.
     pub square: Exact,
-    /// Whether the arc lies over the centre.
-    pub over: bool,
     /// Whether the piece lies before the centre.
     pub before: bool,
 }
@@ -187,7 +185,7 @@ impl Piece {
         let square = &aside * &aside + &above * &above;
         let over = is_clockwise(sense, plane);
         let circle = |before| {
-            Some(Circle { run: run.clone(), height: height.clone(), square: square.clone(), over, before })
+            Some(Circle { run: run.clone(), height: height.clone(), square: square.clone(), before })
         };
         if first < run && run < last {
             let sign = if over { Exact::ONE } else { -Exact::ONE };

@@ -4,6 +4,7 @@ use super::kept::Mark;
 use crate::emission::Emission;
 use crate::fault::{Fault, Outcome};
 use crate::path::Point;
+use crate::state::StoredFeed;
 use crate::vocabulary::rule_ids::*;
 use crate::vocabulary::{
     Action, AlarmName, Angle, FeedRate, LeadAxis, Motion, ReadingSet, RuleId, RuleSet, Sense,
@@ -16,8 +17,12 @@ pub struct Recorded {
     pub kind: Kind,
     /// Its end: X (as a diameter) and Z in program coordinates; in compensation that of the tip.
     pub end: Point,
-    /// What was in force in its block.
-    pub mark: Mark,
+    /// The E in force in its block.
+    pub feed: Option<StoredFeed>,
+    /// The F in force in its block.
+    pub own_feed: Option<StoredFeed>,
+    /// Whether G41 or G42 was in force there.
+    pub compensated: bool,
 }
 
 /// Which way a motion goes.
@@ -30,7 +35,7 @@ pub enum Kind {
     /// Round a centre.
     Arc(Point, Sense),
     /// A leg of a thread.
-    Leg(Leg),
+    Leg(Box<Leg>),
 }
 
 /// A leg of a thread (E100L-AP3-01).
@@ -79,7 +84,8 @@ impl Recording {
         let end = motion.tip.map_or((motion.program.x.0, motion.program.z.0), |tip| (tip.x.0, tip.z.0));
         let motions = if self.in_blank { self.blank.get_or_insert_default() } else { &mut self.contour };
         if motions.last().is_none_or(|last| last.end != end) {
-            motions.push(Recorded { kind, end, mark });
+            let Mark { feed, own_feed, compensated, .. } = mark;
+            motions.push(Recorded { kind, end, feed, own_feed, compensated });
         }
     }
 
@@ -113,7 +119,7 @@ fn kind(event: &Emission) -> Option<(Kind, Motion)> {
         }
         Action::Thread { motion, lead, axis, change, start, .. } => {
             let (rules, readings) = (of_leg(event.rules), event.readings);
-            (Kind::Leg(Leg { lead, axis, change, start, rules, readings }), motion)
+            (Kind::Leg(Box::new(Leg { lead, axis, change, start, rules, readings })), motion)
         }
         _ => return None,
     })

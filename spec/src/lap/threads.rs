@@ -58,9 +58,11 @@ impl Threads {
         };
         for (motion, index) in self.motions.iter().zip(0..) {
             let (course, part, cited) = match &motion.kind {
-                Kind::Leg(leg) => (Course::Thread(leg.clone()), Part::Cut, Cited::rules(&[AP3_01, AP3_02])),
+                Kind::Leg(leg) => {
+                    (Course::Thread(leg.as_ref().clone()), Part::Cut, Cited::rules(&[AP3_01, AP3_02]))
+                }
                 _ if index == 0 => (Course::Rapid, Part::Approach, own),
-                _ => (Course::Line(motion.mark.own_feed), Part::Exit, own),
+                _ => (Course::Line(motion.own_feed), Part::Exit, own),
             };
             tool.go(moved(motion), &course, role(part, cited.and(work)))?;
         }

@@ -55,9 +55,17 @@ impl Track {
         self.shapes.first().map(|(_, first)| place(&first.from))
     }
 
-    /// From a point on to where it meets the contour behind that.
-    pub fn path(&self, from: &Place, target: &Target) -> Path {
-        let begin = self.element_of(from);
+    /// From its beginning to where it meets the contour.
+    pub fn whole(&self, target: &Target) -> Option<Path> {
+        self.start().map(|start| self.path(&start, 0, target))
+    }
+
+    /// From one of its points on to where it meets the contour behind that.
+    pub fn behind(&self, from: &Place, target: &Target) -> Path {
+        self.path(from, self.element_of(from), target)
+    }
+
+    fn path(&self, from: &Place, begin: usize, target: &Target) -> Path {
         let mut path = Path { legs: Vec::new(), highest: from.height.clone() };
         let mut present = from.clone();
         for (index, (number, shape)) in self.shapes.iter().enumerate().skip(begin) {

@@ -5,7 +5,7 @@ use super::channel::Channel;
 use super::reading::{self, Block, Content};
 use super::statement::Carried;
 use crate::barrier::Watch;
-use crate::compensation::Stream;
+use crate::compensation::{Compensation, Stream};
 use crate::controls::e100l::g_codes::GGroup;
 use crate::emission::Emission;
 use crate::fault::{Fault, Outcome};
@@ -303,6 +303,7 @@ impl<'a> Channel<'a> {
         let state = if all { lap.kept.take() } else { lap.kept.clone() };
         let Some(state) = state else { return };
         let before = std::mem::replace(&mut self.state, state);
+        self.compensation = Compensation::Off;
         self.state.memory = before.memory;
         self.state.lap.feed = before.lap.feed;
         if !all {
