@@ -115,7 +115,8 @@ fn lowest(shapes: &[Shape], run: f64) -> f64 {
         }
     };
     let about = [run - 2e-6, run, run + 2e-6];
-    let lowest = shapes.iter().flat_map(|shape| about.map(|run| at(shape, run))).fold(f64::INFINITY, f64::min);
+    let lowest =
+        shapes.iter().flat_map(|shape| about.map(|run| at(shape, run))).fold(f64::INFINITY, f64::min);
     if lowest.is_finite() { lowest } else { f64::NEG_INFINITY }
 }
 

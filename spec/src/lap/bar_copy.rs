@@ -1,17 +1,16 @@
 //! Mode V: passes along the blank, then along the contour, with cuts along the blank where the contour falls below it
 //! (E100L-AP5-01 to -08; execution-lap.md, section 12).
 
-use std::collections::VecDeque;
 use std::sync::Arc;
 
 use super::bar::{LIFT, go_home};
 use super::contour::{Element, Outline};
 use super::job::{Job, check_direction};
-use super::leave::{Cover, Leave};
+use super::leave::{Cover, Leave, Search};
 use super::motion::{Course, Role, Tool};
 use super::number::Number;
 use super::plane::{Place, Spot};
-use super::shape::{Shape, shapes};
+use super::shape::{Shape, place, shapes};
 use super::track::{Path, Target, Track};
 use crate::emission::Emission;
 use crate::fault::{Fault, Outcome};
@@ -52,8 +51,8 @@ pub struct BarCopy {
 enum Stage {
     /// A pass along the blank is next, or the run along the contour.
     Passes,
-    /// The run along the contour goes on with an element; these are the points in which that is still left.
-    Contour(usize, VecDeque<Leave>),
+    /// The contour is left, on an element that was looked at up to there.
+    Contour(usize, Search, Leave),
 }
 
 impl Ground {
@@ -70,8 +69,8 @@ impl Ground {
         let end = job.rough.end();
         let target = Target { shapes: contour, end: (plane.run(end.cutting), plane.height(end.infeed)) };
         let front = plane.run(job.rough.start.cutting);
-        let cover = Cover::new(&track, &front);
         let step = plane.height(plane.up * job.depth());
+        let cover = Cover::new(&track, &front, step.clone());
         Ok(Self { job, blank, moved_up, track, target, cover, step })
     }
 
@@ -153,11 +152,9 @@ impl BarCopy {
                 self.go_in(ground.job.rough.start, false, &ground, &mut tool)?;
                 self.along_contour(0, None, &ground, &mut tool)
             }
-            Stage::Contour(element, mut leaves) => {
-                if let Some(leave) = leaves.pop_front() {
-                    self.cut_from_contour(&leave, &ground, &mut tool)?;
-                }
-                self.along_contour(element, Some(leaves), &ground, &mut tool)
+            Stage::Contour(element, search, leave) => {
+                self.cut_from_contour(&leave, &ground, &mut tool)?;
+                self.along_contour(element, Some(search), &ground, &mut tool)
             }
         }
     }
@@ -198,7 +195,7 @@ impl BarCopy {
     fn along_contour(
         &mut self,
         from: usize,
-        mut known: Option<VecDeque<Leave>>,
+        mut begun: Option<Search>,
         ground: &Ground,
         tool: &mut Tool,
     ) -> Outcome<bool> {
@@ -206,16 +203,16 @@ impl BarCopy {
         for (index, (element, shape)) in
             job.rough.elements.iter().zip(&ground.target.shapes).enumerate().skip(from)
         {
-            let leaves = known.take().unwrap_or_else(|| ground.cover.leaves(shape, &ground.step).into());
+            let mut search = begun.take().unwrap_or_else(|| ground.cover.search(shape));
             let (course, cited) = job.along(element, job.feed);
             let role = self.role(Part::Contour, &[AP5_05]);
             let role = Role { cited: role.cited.and(cited), ..role };
-            let Some(next) = leaves.front() else {
+            let Some(leave) = ground.cover.next(shape, &mut search) else {
                 tool.go(element.end, &course, role)?;
                 continue;
             };
-            tool.go(plane.latched(&next.at), &course, role)?;
-            self.stage = Stage::Contour(index, leaves);
+            tool.go(plane.latched(&leave.at), &course, role)?;
+            self.stage = Stage::Contour(index, search, leave);
             return Ok(true);
         }
         self.leave(ground, tool)?;
@@ -239,7 +236,8 @@ impl BarCopy {
         let job = &ground.job;
         tool.relieve(job.relief, job.relief, self.role(Part::Relief, &[AP5_07]))?;
         let end: Place = job.plane.place(job.rough.end());
-        let tops = ground.target.shapes.iter().map(|shape| shape.bounds().1);
+        let top = |shape: &Shape| shape.highest(&place(&shape.from), &place(&shape.to));
+        let tops = ground.target.shapes.iter().map(top);
         if let Some(top) = tops.reduce(Number::max).filter(|top| end.height < *top) {
             ground.clear(&top, self.role(Part::Clear, &[AP5_07]), tool)?;
         }

@@ -1,14 +1,20 @@
 //! Where the contour falls below the blank moved by multiples of D (E100L-AP5-06; execution-lap.md, section 12).
+//!
+//! An element of the contour is looked at in phases, in each of which the multiples in question follow each other without
+//! a gap, in the order of their points: between two runs at which the blank changes, the height of the contour over the
+//! blank falls along one part at most.
 
 use super::number::Number;
 use super::plane::Place;
 use super::shape::{Shape, place};
-use crate::quantity::{Exact, whole};
+use crate::quantity::{Exact, narrow, whole};
 
 /// The blank as heights are compared with it: in front of its start it has the height that it has there.
 #[derive(Clone, Debug)]
 pub struct Cover {
     shapes: Vec<Shape>,
+    /// D as a height.
+    step: Exact,
 }
 
 /// A point in which the contour is left.
@@ -20,146 +26,183 @@ pub struct Leave {
     pub multiple: i64,
 }
 
-/// A run at which it may be left.
-struct Candidate {
-    run: Number,
-    /// Its value, if it is a run at which the blank or the contour changes.
-    change: Option<Exact>,
+/// How far an element of the contour was looked at.
+#[derive(Clone, Debug)]
+pub struct Search {
+    phases: Vec<Phase>,
+    next: usize,
+    /// The last multiple that was found in the phase.
+    found: Option<i64>,
+}
+
+/// A part of an element of the contour.
+#[derive(Clone, Debug)]
+enum Phase {
+    /// The whole of it, a wall.
+    Wall,
+    /// The run at which the blank changes, or the element begins; the next one.
+    At(Exact, Exact),
+    /// What lies between them.
+    Within(Exact, Exact),
+    /// The end of an arc, where it lies below its circle.
+    LooseEnd,
 }
 
 impl Cover {
     /// The blank, with a level in front of it up to this run.
-    pub fn new(blank: &[Shape], from: &Exact) -> Self {
+    pub fn new(blank: &[Shape], from: &Exact, step: Exact) -> Self {
         let mut shapes = blank.to_vec();
-        let Some(first) = shapes.first() else { return Self { shapes } };
-        let start = first.from.0.clone();
-        if *from < start {
-            let low = lowest_at(&shapes, &start).and_then(|low| low.rational().cloned());
+        if let Some(first) = blank.first().filter(|first| *from < first.from.0) {
+            let start = first.from.0.clone();
+            let low = lowest_at(blank, &start).and_then(|low| low.rational().cloned());
             let height = low.unwrap_or_else(|| first.from.1.clone());
-            let level = Shape { from: (from.clone(), height.clone()), to: (start, height), arc: None };
-            shapes.insert(0, level);
+            shapes.insert(0, Shape { from: (from.clone(), height.clone()), to: (start, height), arc: None });
         }
-        Self { shapes }
+        Self { shapes, step }
     }
 
-    /// The lowest height at a run, lowered.
-    fn lowest(&self, run: &Exact, lowered: &Exact) -> Option<Number> {
-        lowest_at(&self.shapes, run).map(|low| low.plus(&-lowered.clone()))
-    }
-
-    /// The height between two runs at which it changes.
-    fn height_within(&self, run: &Exact, lowered: &Exact) -> Option<Number> {
-        let shape = self.shapes.iter().find(|shape| shape.from.0 < *run && *run < shape.to.0)?;
-        Some(shape.height_at(run).plus(&-lowered.clone()))
-    }
-
-    /// Bounds of its heights from one run to another.
-    fn bounds(&self, from: &Exact, to: &Exact) -> Option<(Number, Number)> {
-        let within = self.shapes.iter().filter(|shape| shape.to.0 >= *from && shape.from.0 <= *to);
-        within
-            .map(Shape::bounds)
-            .reduce(|(low, high), (other_low, other_high)| (low.min(other_low), high.max(other_high)))
-    }
-
-    /// The points in which an element of the contour is left, in the order in which it is run through, and at one point in
-    /// that of the multiples of `step`.
-    pub fn leaves(&self, element: &Shape, step: &Exact) -> Vec<Leave> {
-        let mut leaves = Vec::new();
-        for multiple in self.multiples(element, step) {
-            let lowered = whole(multiple) * step;
-            let points = if element.is_wall() {
-                self.on_wall(element, &lowered).into_iter().collect()
-            } else {
-                self.on_slope(element, &lowered)
-            };
-            leaves.extend(points.into_iter().map(|at| Leave { at, multiple }));
-        }
-        // The order of multiples is kept at one point.
-        leaves.sort_by(|first, second| element.order(&first.at, &second.at));
-        leaves
-    }
-
-    /// The multiples by which the moved blank can have heights of an element.
-    fn multiples(&self, element: &Shape, step: &Exact) -> std::ops::RangeInclusive<i64> {
-        let none = std::ops::RangeInclusive::new(1, 0);
-        let Some((low, high)) = self.bounds(&element.from.0, &element.to.0) else { return none };
-        let (lowest, highest) = element.bounds();
-        // A nanometre or two more do not matter.
-        let difference = |of: &Number, less: &Number| whole(of.nearest()) - whole(less.nearest());
-        let first = ((difference(&low, &highest) - whole(2)) / step).ceil();
-        let last = ((difference(&high, &lowest) + whole(2)) / step).floor();
-        let narrow = |value| crate::quantity::narrow(&value).max(1);
-        if last < dashu_int::IBig::ONE { none } else { narrow(first)..=narrow(last) }
-    }
-
-    /// On a wall that falls.
-    fn on_wall(&self, element: &Shape, lowered: &Exact) -> Option<Place> {
-        let low = self.lowest(&element.from.0, lowered)?;
-        let height = |exact: &Exact| Number::from(exact.clone());
-        let falls = height(&element.from.1) >= low && low > height(&element.to.1);
-        falls.then(|| Place { run: element.from.0.clone().into(), height: low })
-    }
-
-    /// On an element with a run: behind each candidate it is looked whether the contour is below.
-    fn on_slope(&self, element: &Shape, lowered: &Exact) -> Vec<Place> {
-        let candidates = self.candidates(element, lowered);
-        let end = Number::from(element.to.0.clone());
-        let mut found = Vec::new();
-        for (index, Candidate { run, change }) in candidates.iter().enumerate() {
-            let next = candidates.get(index + 1).map_or(&end, |next| &next.run);
-            let sample = run.between(next);
-            let below = |run: &Exact, cover: Option<Number>| {
-                cover.is_some_and(|cover| element.height_at(run) < cover)
-            };
-            if !below(&sample, self.height_within(&sample, lowered)) {
-                continue;
-            }
-            match change {
-                Some(exact) if below(exact, self.lowest(exact, lowered)) => {}
-                Some(exact) => found.push(Place { run: run.clone(), height: element.height_at(exact) }),
-                None => found.extend(self.crossing(element, run, lowered)),
-            }
-        }
-        found.extend(self.in_loose_end(element, lowered));
-        found
-    }
-
-    /// The runs of an element at which it may be left, in order.
-    fn candidates(&self, element: &Shape, lowered: &Exact) -> Vec<Candidate> {
+    /// Before anything of an element of the contour was looked at.
+    pub fn search(&self, element: &Shape) -> Search {
         let (from, to) = (&element.from.0, &element.to.0);
+        if element.is_wall() {
+            return Search { phases: vec![Phase::Wall], next: 0, found: None };
+        }
         let changes = self.shapes.iter().flat_map(|shape| [&shape.from.0, &shape.to.0]);
-        let mut candidates: Vec<Candidate> = changes
-            .filter(|run| from < *run && *run < to)
-            .chain([from])
-            .map(|run| Candidate { run: run.clone().into(), change: Some(run.clone()) })
-            .collect();
-        let (first, last) = (Number::from(from.clone()), Number::from(to.clone()));
-        for point in self.shapes.iter().flat_map(|shape| element.common(&shape.lowered(lowered))) {
-            if first < point.run && point.run < last {
-                candidates.push(Candidate { run: point.run, change: None });
+        let mut changes: Vec<&Exact> =
+            changes.filter(|run| from < *run && *run < to).chain([from, to]).collect();
+        changes.sort();
+        changes.dedup();
+        let pairs = changes.iter().zip(changes.iter().skip(1));
+        let sections = pairs.flat_map(|(from, to)| {
+            let (from, to): (Exact, Exact) = ((*from).clone(), (*to).clone());
+            [Phase::At(from.clone(), to.clone()), Phase::Within(from, to)]
+        });
+        let phases = sections.chain(element.arc.is_some().then_some(Phase::LooseEnd)).collect();
+        Search { phases, next: 0, found: None }
+    }
+
+    /// The next point in which an element of the contour is left.
+    pub fn next(&self, element: &Shape, search: &mut Search) -> Option<Leave> {
+        while let Some(phase) = search.phases.get(search.next) {
+            let test = |multiple: i64| self.point(phase, element, multiple).map(|at| Leave { at, multiple });
+            let leave = match search.found {
+                Some(last) => last.checked_add(1).and_then(test),
+                None => self.first(phase, element).and_then(test),
+            };
+            if let Some(leave) = leave {
+                search.found = Some(leave.multiple);
+                return Some(leave);
+            }
+            search.next += 1;
+            search.found = None;
+        }
+        None
+    }
+
+    /// The first multiple of a phase.
+    fn first(&self, phase: &Phase, element: &Shape) -> Option<i64> {
+        let test = |multiple: &i64| self.point(phase, element, *multiple).is_some();
+        let about = |guess: i64| guess.saturating_sub(2).max(1)..=guess.max(1).saturating_add(3);
+        match phase {
+            Phase::Wall => {
+                let low = self.lowest(&element.from.0)?;
+                about(self.multiple(&low, &element.from.1.clone().into())).find(test)
+            }
+            Phase::At(run, _) => {
+                let low = self.lowest(run)?;
+                about(self.multiple(&low, &element.height_at(run))).find(test)
+            }
+            Phase::LooseEnd => {
+                let low = self.lowest(&element.to.0)?;
+                about(self.multiple(&low, &element.height_at(&element.to.0))).find(test)
+            }
+            Phase::Within(from, to) => {
+                // The contour is left near the height of one of the ends, if at all.
+                let shape = self.shape_within(from, to)?;
+                let at = |run: &Exact| self.multiple(&shape.height_at(run), &element.height_at(run));
+                let one = about(at(from)).chain(about(at(to))).find(test)?;
+                Some(least(one, test))
             }
         }
-        // Changes stand before crossings at the same run.
-        candidates.sort_by(|one, other| {
-            one.run.cmp(&other.run).then(one.change.is_none().cmp(&other.change.is_none()))
-        });
-        candidates.dedup_by(|later, earlier| later.run == earlier.run);
-        candidates
     }
 
-    /// The common point at a run.
-    fn crossing(&self, element: &Shape, run: &Number, lowered: &Exact) -> Option<Place> {
-        let mut points = self.shapes.iter().flat_map(|shape| element.common(&shape.lowered(lowered)));
-        points.find(|point| point.run == *run)
+    /// Which multiple of D lies between two heights, the whole ones below.
+    fn multiple(&self, above: &Number, below: &Number) -> i64 {
+        narrow(&((whole(above.nearest()) - whole(below.nearest())) / &self.step).floor())
     }
 
-    /// Where the end of an arc lies below its circle, and the contour falls there.
-    fn in_loose_end(&self, element: &Shape, lowered: &Exact) -> Option<Place> {
-        element.arc.as_ref()?;
-        let low = self.lowest(&element.to.0, lowered)?;
-        let falls = element.height_at(&element.to.0) >= low && low > Number::from(element.to.1.clone());
-        falls.then(|| place(&element.to))
+    /// The point of a phase in which the contour falls below the blank moved by a multiple of D.
+    fn point(&self, phase: &Phase, element: &Shape, multiple: i64) -> Option<Place> {
+        let lowered = whole(multiple) * &self.step;
+        let low = |run: &Exact| self.lowest(run).map(|low| low.plus(&-lowered.clone()));
+        match phase {
+            Phase::Wall => {
+                let low = low(&element.from.0)?;
+                let height = |exact: &Exact| Number::from(exact.clone());
+                let falls = height(&element.from.1) >= low && low > height(&element.to.1);
+                falls.then(|| Place { run: element.from.0.clone().into(), height: low })
+            }
+            Phase::At(run, next) => {
+                let height = element.height_at(run);
+                let is_not_below = height >= low(run)?;
+                let crossed = self.crossings(element, run, next, &lowered).into_iter().next();
+                let behind = crossed.map_or_else(|| next.clone().into(), |point| point.run);
+                let falls = is_not_below && self.is_below(element, &run.clone().into(), &behind, &lowered);
+                falls.then(|| Place { run: run.clone().into(), height })
+            }
+            Phase::Within(from, to) => {
+                let crossings = self.crossings(element, from, to, &lowered);
+                let behind = crossings.iter().skip(1).map(|next| next.run.clone()).chain([to.clone().into()]);
+                let mut found = crossings.iter().zip(behind);
+                let (point, _) =
+                    found.find(|(point, behind)| self.is_below(element, &point.run, behind, &lowered))?;
+                Some(point.clone())
+            }
+            Phase::LooseEnd => {
+                let low = low(&element.to.0)?;
+                let falls = element.height_at(&element.to.0) >= low && low > element.to.1.clone().into();
+                falls.then(|| place(&element.to))
+            }
+        }
     }
+
+    /// The lowest height at a run.
+    fn lowest(&self, run: &Exact) -> Option<Number> {
+        lowest_at(&self.shapes, run)
+    }
+
+    /// The element of the blank between two runs at which it changes.
+    fn shape_within(&self, from: &Exact, to: &Exact) -> Option<&Shape> {
+        self.shapes.iter().find(|shape| !shape.is_wall() && shape.from.0 <= *from && *to <= shape.to.0)
+    }
+
+    /// Where an element of the contour meets the moved blank between two runs at which that changes, in order.
+    fn crossings(&self, element: &Shape, from: &Exact, to: &Exact, lowered: &Exact) -> Vec<Place> {
+        let Some(shape) = self.shape_within(from, to) else { return Vec::new() };
+        let (from, to) = (Number::from(from.clone()), Number::from(to.clone()));
+        let mut points = element.common(&shape.lowered(lowered));
+        points.retain(|point| from < point.run && point.run < to);
+        points.sort_by(|first, second| first.run.cmp(&second.run));
+        points.dedup_by(|second, first| second.run == first.run);
+        points
+    }
+
+    /// Whether an element of the contour lies below the moved blank between two runs between which they do not meet.
+    fn is_below(&self, element: &Shape, from: &Number, to: &Number, lowered: &Exact) -> bool {
+        let run = from.between(to);
+        let within = self.shapes.iter().find(|shape| shape.from.0 < run && run < shape.to.0);
+        within.is_some_and(|shape| element.height_at(&run) < shape.height_at(&run).plus(&-lowered.clone()))
+    }
+}
+
+/// The least multiple from 1 to one that is in question from which on all are.
+fn least(one: i64, test: impl Fn(&i64) -> bool) -> i64 {
+    let (mut below, mut first) = (0, one);
+    while first - below > 1 {
+        let middle = below + (first - below) / 2;
+        if test(&middle) { first = middle } else { below = middle }
+    }
+    first
 }
 
 /// The lowest height of elements at a run.
@@ -169,8 +212,8 @@ fn lowest_at(shapes: &[Shape], run: &Exact) -> Option<Number> {
             return None;
         }
         let ends = [(&shape.from, *run == shape.from.0), (&shape.to, *run == shape.to.0)];
-        let of_ends =
-            ends.into_iter().filter(|(_, here)| *here).map(|((_, height), _)| Number::from(height.clone()));
+        let of_ends = ends.into_iter().filter(|(_, here)| *here);
+        let of_ends = of_ends.map(|((_, height), _)| Number::from(height.clone()));
         let inner = (!shape.is_wall()).then(|| shape.height_at(run));
         of_ends.chain(inner).reduce(Number::min)
     };

@@ -123,19 +123,6 @@ impl Shape {
         }
     }
 
-    /// Bounds of its heights.
-    pub fn bounds(&self) -> (Number, Number) {
-        let (mut low, mut high) = (Number::from(self.from.1.clone()), Number::from(self.to.1.clone()));
-        if high < low {
-            std::mem::swap(&mut low, &mut high);
-        }
-        match &self.arc {
-            Some(arc) if arc.over => (low, high.max(arc.top().height)),
-            Some(arc) => (low.min(arc.top().height), high),
-            None => (low, high),
-        }
-    }
-
     /// The point of the arc that lies off its circle: its end.
     fn loose_end(&self) -> Option<Place> {
         self.arc.as_ref().map(|_| place(&self.to))
