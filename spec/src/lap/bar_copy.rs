@@ -51,8 +51,18 @@ pub struct BarCopy {
 enum Stage {
     /// A pass along the blank is next, or the run along the contour.
     Passes,
-    /// The contour is left, on an element that was looked at up to there.
-    Contour(usize, Search, Leave),
+    /// The contour is left.
+    Contour(Box<Left>),
+}
+
+/// Where the contour is left.
+#[derive(Debug)]
+struct Left {
+    /// On which element.
+    element: usize,
+    /// That element was looked at up to there.
+    search: Search,
+    leave: Leave,
 }
 
 impl Ground {
@@ -152,7 +162,8 @@ impl BarCopy {
                 self.go_in(ground.job.rough.start, false, &ground, &mut tool)?;
                 self.along_contour(0, None, &ground, &mut tool)
             }
-            Stage::Contour(element, search, leave) => {
+            Stage::Contour(left) => {
+                let Left { element, search, leave } = *left;
                 self.cut_from_contour(&leave, &ground, &mut tool)?;
                 self.along_contour(element, Some(search), &ground, &mut tool)
             }
@@ -212,7 +223,7 @@ impl BarCopy {
                 continue;
             };
             tool.go(plane.latched(&leave.at), &course, role)?;
-            self.stage = Stage::Contour(index, search, leave);
+            self.stage = Stage::Contour(Box::new(Left { element: index, search, leave }));
             return Ok(true);
         }
         self.leave(ground, tool)?;

@@ -120,7 +120,8 @@ fn feed(words: &Words, rule: RuleId) -> Outcome<()> {
 fn change_points(words: &Words) -> Outcome<()> {
     let has = |name| words.extended(name).is_some();
     let (a, b) = (has("XA") || has("ZA"), has("XB") || has("ZB"));
-    if !a && !b || (has("DA") || has("FA")) && !a || (has("DB") || has("FB")) && !b {
+    let without_point = (has("DA") || has("FA")) && !a || (has("DB") || has("FB")) && !b;
+    if without_point || !(a || b) {
         return fail(AlarmName::WordMissing, LAPC_02);
     }
     for word in &words.written {

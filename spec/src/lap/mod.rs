@@ -53,13 +53,13 @@ use threads::Threads;
 #[derive(Debug)]
 pub enum Cycle {
     /// Modes I and IV.
-    Bar(Bar),
+    Bar(Box<Bar>),
     /// Mode II.
-    Copy(Copy),
+    Copy(Box<Copy>),
     /// Mode III.
-    Threads(Threads),
+    Threads(Box<Threads>),
     /// Mode V.
-    BarCopy(BarCopy),
+    BarCopy(Box<BarCopy>),
 }
 
 impl Cycle {
@@ -73,10 +73,12 @@ impl Cycle {
     ) -> Outcome<Self> {
         let job = Job::new(call, &recording, feed, state)?;
         match (call.one_shot, &recording.blank) {
-            (Some(86), None) => Ok(Self::Copy(Copy::begin(job))),
-            (Some(86), Some(_)) => BarCopy::begin(job).map(Self::BarCopy),
-            (Some(88), _) => Threads::begin(job, recording.contour, state).map(Self::Threads),
-            _ => Bar::begin(job, state).map(Self::Bar),
+            (Some(86), None) => Ok(Self::Copy(Box::new(Copy::begin(job)))),
+            (Some(86), Some(_)) => BarCopy::begin(job).map(|cycle| Self::BarCopy(Box::new(cycle))),
+            (Some(88), _) => {
+                Threads::begin(job, recording.contour, state).map(|cycle| Self::Threads(Box::new(cycle)))
+            }
+            _ => Bar::begin(job, state).map(|cycle| Self::Bar(Box::new(cycle))),
         }
     }
 

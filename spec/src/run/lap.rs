@@ -42,7 +42,7 @@ enum Stage {
     /// The blocks of the blank or of the contour.
     Definition,
     /// The passes.
-    Passes(Box<Cycle>),
+    Passes(Cycle),
 }
 
 /// Which code of a definition has ended its part.
@@ -334,7 +334,7 @@ impl<'a> Channel<'a> {
         let mut stream = self.compensation.stream(lap.block.place, self.state.side(), decided);
         let left = cycle.pass(&mut self.state, &mut stream.emissions);
         stream.close();
-        lap.stage = Stage::Passes(Box::new(cycle));
+        lap.stage = Stage::Passes(cycle);
         left.map(|left| !left)
     }
 
