@@ -1,5 +1,6 @@
 //! What a stage emits, before the run numbers it and gives it its place.
 
+use crate::lap::Mark;
 use crate::path::Point;
 use crate::vocabulary::{Action, Reading, ReadingSet, RuleId, RuleSet, Side};
 
@@ -17,6 +18,8 @@ pub struct Emission {
     /// Of a motion that leaves the tip where the motion before it brings it: tip and nose are shown when its turn
     /// comes.
     pub at_rest: Option<AtRest>,
+    /// Of a motion of a contour of LAP: what was in force in its block.
+    pub mark: Option<Mark>,
 }
 
 /// How tip and nose are told from the place of the axes.
@@ -31,7 +34,7 @@ pub struct AtRest {
 impl Emission {
     /// An event that these rules produced.
     pub fn new(action: Action, rules: RuleSet) -> Self {
-        Self { action, rules, readings: ReadingSet::default(), side: None, at_rest: None }
+        Self { action, rules, readings: ReadingSet::default(), side: None, at_rest: None, mark: None }
     }
 
     /// The event, about a turret or a saddle.

@@ -5,6 +5,7 @@
 
 mod ahead;
 mod channel;
+mod lap;
 mod meeting;
 mod passes;
 mod portions;

@@ -7,6 +7,7 @@ use crate::controls::e100l::m_codes::GROUPS;
 use crate::controls::e100l::system_variables::Axis;
 use crate::cycle;
 use crate::frame::{self, Frame, Limits, TravelLimit};
+use crate::lap;
 use crate::path::Point;
 use crate::saddle::Saddle;
 use crate::task::Memory;
@@ -15,6 +16,7 @@ use crate::turret::OwnData;
 use crate::vocabulary::{Length, MachineType, Setup, Side, SpindleState};
 
 /// The state of a control.
+#[derive(Clone)]
 pub struct State<'a> {
     /// What it runs on.
     pub setup: &'a Setup,
@@ -58,6 +60,8 @@ pub struct State<'a> {
     pub contour: contour::Kept,
     /// The cycle of a driven tool that goes on in the next block.
     pub cycle: cycle::Kept,
+    /// What LAP keeps.
+    pub lap: lap::Kept,
 }
 
 /// The modal G codes, in the order of the groups.
@@ -135,6 +139,7 @@ impl<'a> State<'a> {
             thread: thread::Kept::default(),
             contour: contour::Kept::default(),
             cycle: cycle::Kept::default(),
+            lap: lap::Kept::default(),
         }
     }
 

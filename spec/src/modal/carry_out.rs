@@ -12,6 +12,7 @@ use crate::cycle;
 use crate::emission::Emission;
 use crate::fault::Outcome;
 use crate::integer::turn;
+use crate::lap;
 use crate::saddle::{Commands, is_common_g, is_common_m};
 use crate::state::{Modes, State};
 use crate::thread;
@@ -38,6 +39,7 @@ pub fn before_motion(plan: &Plan, state: &mut State, emissions: &mut Vec<Emissio
         // E100L-THRD-06: J alone divides the F in force.
         feed.leads = leads;
     }
+    lap::store_feeds(words, state)?;
     match plan.one_shot {
         Some(50) => zero_shift(plan, state, emissions),
         Some(28) => emissions.push(torque_limits(None, None, &[TRQ_02], state)),
@@ -104,7 +106,7 @@ fn select(code: u16, state: &mut State) -> Option<Emission> {
     let GCode::Modelled(group) = g_code(code) else { return None };
     state.contour.select(code, state.setup);
     let previous = state.modes.get(group);
-    if group == GGroup::OneShot || previous == code {
+    if matches!(group, GGroup::OneShot | GGroup::ChangePoints) || previous == code {
         return None;
     }
     state.modes.set(group, code);

@@ -8,6 +8,7 @@ use crate::contour;
 use crate::controls::e100l::g_codes::{GCode, GGroup, g_code};
 use crate::cycle::{self, CycleBlock};
 use crate::fault::{Fault, Outcome, fail};
+use crate::lap;
 use crate::state::{Modes, State};
 use crate::thread;
 use crate::vocabulary::rule_ids::*;
@@ -75,6 +76,16 @@ impl Plan {
         self.is_compound() || grooves_or_taps || self.cycle.is_some()
     }
 
+    /// Whether it is a call of LAP.
+    pub fn is_contour_call(&self) -> bool {
+        matches!(self.one_shot, Some(85..=88))
+    }
+
+    /// Whether it begins a definition of LAP.
+    pub fn begins_definition(&self) -> bool {
+        matches!(self.one_shot, Some(81..=83))
+    }
+
     /// Whether it is a motion that modal calls come after (E100L-MODIN-03).
     pub fn triggers(&self) -> bool {
         let acts = self.one_shot != Some(22) && !self.has_passes() && !self.is_contour();
@@ -98,6 +109,8 @@ pub struct Before {
     pub left_over: bool,
     /// Whether a motion of X or Z calls programs (E100L-MODIN-02).
     pub modal: bool,
+    /// Whether the program has the block that a call of LAP names (E100L-LAP-09).
+    pub has_contour: bool,
 }
 
 /// Checks the words of a block.
@@ -106,7 +119,8 @@ pub fn check(words: Words, before: Before, state: &State) -> Outcome<Plan> {
     let modes = select(&words, before.modes);
     let compensation = change(before.modes, modes);
     let motion = modes.get(GGroup::Motion);
-    let one_shot = words.one_shot();
+    // G80 leaves its block what it is without it.
+    let one_shot = words.one_shot().filter(|code| *code != 80);
     let cycle = CycleBlock::of(&words, before.modes, modes);
     let words = cycle::synchronised_words(words, cycle, setup);
     stands_alone(&words)?;
@@ -119,11 +133,15 @@ pub fn check(words: Words, before: Before, state: &State) -> Outcome<Plan> {
     let is_thread =
         one_shot.is_none() && cycle.is_none() && thread::is_mode(motion) && is_motion(&words, motion);
     thread::not_in_constant_speed(&words, modes, is_thread.then_some(motion))?;
+    lap::not_in_constant_speed(&words, modes)?;
     check_reference(&words, modes, setup)?;
     let converts = before.modes.converting() && !matches!(one_shot, Some(136 | 137));
     let moves_by_mode = matches!(one_shot, None | Some(75 | 76)) && is_motion(&words, motion);
     let asked = contour::Asked { words: &words, one_shot, modes, changes: compensation != Change::Stays };
     contour::check_conversion(&asked, converts, moves_by_mode, state)?;
+    if !matches!(one_shot, Some(75 | 76)) {
+        lap::check_contour_block(&words, state)?;
+    }
     let mut moves = false;
     match one_shot {
         Some(4) => dwell(&words)?,
@@ -148,6 +166,7 @@ pub fn check(words: Words, before: Before, state: &State) -> Outcome<Plan> {
         }
         Some(code @ (75 | 76)) => {
             chamfer(code, &words, motion, setup)?;
+            lap::check_contour_block(&words, state)?;
             if before.modal && words.has_any("XZ") {
                 let detail = Label::of_code(b'G', code);
                 return Err(Fault::about(AlarmName::Unspecified, MODIN_02, detail.as_str()));
@@ -155,6 +174,7 @@ pub fn check(words: Words, before: Before, state: &State) -> Outcome<Plan> {
             path(&words, motion, before.after_angle, setup)?;
             moves = true;
         }
+        Some(code @ 85..=88) => lap::check_call(code, &words, modes, before, state)?,
         None if let Some(block) = cycle => {
             cycle::check_block(&words, block, state)?;
             moves = true;
@@ -175,7 +195,11 @@ pub fn check(words: Words, before: Before, state: &State) -> Outcome<Plan> {
         }
         Some(_) | None => {}
     }
-    every_word_has_a_function(&words, one_shot, motion, compensation, cycle, converts, state)?;
+    lap::change_points_belong_to_call(&words)?;
+    match one_shot {
+        Some(code @ 85..=88) => lap::every_word_has_a_function(code, &words)?,
+        _ => every_word_has_a_function(&words, one_shot, motion, compensation, cycle, converts, state)?,
+    }
     let plan = Plan { words, modes, one_shot, compensation, cycle, moves, converts };
     cycle::not_in_compensation(&plan, before)?;
     thread::not_in_compensation(&plan, before)?;
@@ -217,7 +241,7 @@ fn stands_alone(words: &Words) -> Outcome<()> {
     match alone.iter().find(|(code, _)| words.m.contains(code)) {
         Some((_, rule)) => fail(AlarmName::NotAlone, *rule),
         None if words.has_g(136) => fail(AlarmName::NotAlone, CSC_09),
-        None => cycle::stands_alone(words, is_alone),
+        None => cycle::stands_alone(words, is_alone).and_then(|()| lap::stands_alone(words)),
     }
 }
 

@@ -14,18 +14,24 @@ use crate::vocabulary::{
 /// Stores the number of an F word, and J, which belongs to it (E100L-THRD-06). Its range is that of the feed unit in
 /// force (E100L-ADDR-01); a lead is one per revolution in G94 too (E100L-THRD-04).
 pub fn store(number: &Exact, is_lead: bool, leads: Option<i64>, state: &mut State) -> Outcome<()> {
+    let read = readings(number, is_lead, state)?;
+    state.feed = Some(StoredFeed { leads: leads.unwrap_or(1), ..read });
+    Ok(())
+}
+
+/// Both readings of a number that is a feed.
+pub fn readings(number: &Exact, is_lead: bool, state: &State) -> Outcome<StoredFeed> {
     let system = state.setup.unit_system;
     let per_minute = number * units::feed_per_minute(system);
     let per_revolution = number * units::length(system);
     check_range(if state.modes.per_minute() && !is_lead { &per_minute } else { &per_revolution }, system)?;
     let picometres = |nanometres: &Exact| round_narrow(&(nanometres * whole(1_000)));
-    state.feed = Some(StoredFeed {
+    Ok(StoredFeed {
         per_minute: picometres(&per_minute),
         per_revolution: picometres(&per_revolution),
         given_in: if is_lead { 95 } else { state.modes.get(GGroup::FeedUnit) },
-        leads: leads.unwrap_or(1),
-    });
-    Ok(())
+        leads: 1,
+    })
 }
 
 /// E100L-ADDR-01: the range of a feed in nanometres.
@@ -42,7 +48,17 @@ pub fn is_feed(feed: &Exact, system: UnitSystem) -> bool {
 
 /// The feed of a cutting motion with the rules that it obeys.
 pub fn active_feed(state: &State) -> Outcome<(Feed, RuleSet)> {
-    let Some(stored) = state.feed else { return fail(AlarmName::NoFeed, G01_03) };
+    if state.lap.is_reading() {
+        // Nothing is cut; the feeds of the passes are tested.
+        let feed = Feed { value: FeedRate(0), unit: FeedUnit::PerRevolution };
+        return Ok((feed, RuleSet::EMPTY));
+    }
+    in_force(state.feed, state)
+}
+
+/// A stored feed as it is in force, with the rules that it obeys.
+pub fn in_force(stored: Option<StoredFeed>, state: &State) -> Outcome<(Feed, RuleSet)> {
+    let Some(stored) = stored else { return fail(AlarmName::NoFeed, G01_03) };
     let modes: &Modes = &state.modes;
     let (value, unit, rule): (i64, FeedUnit, RuleId) = if modes.per_minute() {
         (stored.per_minute, FeedUnit::PerMinute, FEED_02)

@@ -29,6 +29,7 @@ pub fn every_word_has_a_function(
         (Some(71), _) => (b"XZIABDUHLEJQ", &[], false),
         (Some(72), _) => (b"XZKABDWHLEJQ", &[], false),
         (Some(136 | 137), _) => (b"C", &[], false),
+        (Some(81..=83), _) => (b"", &[], false),
         (Some(_), _) => (b"XZAL", &[], false),
         // E100L-CSC-02, E100L-CSC-05.
         (None, Modes::NO_CODE) => (b"", &[], false),
@@ -44,6 +45,10 @@ pub fn every_word_has_a_function(
         (None, _) => (b"XZIKL", &[], true),
     };
     for other in &words.others {
+        if state.lap.definition.is_some() && other.address == Some(Address::Letter(b'E')) {
+            // E100L-LAP-07.
+            continue;
+        }
         let taken = match other.address {
             None => calrg,
             Some(Address::Letter(letter)) => b"PST".contains(&letter) || letters.contains(&letter),

@@ -32,6 +32,7 @@ pub fn command(code: u16, plan: &Plan, state: &mut State) -> Outcome<Emission> {
         14 => tool_spindle(SpindleState::CounterClockwise, &[MCODE_06, SB_03], state),
         240..=244 => spindle::tool_event(RuleSet::of(&[MCODE_39, SB_04]), state),
         8 | 9 => Emission::new(Action::Coolant { on: code == 8 }, RuleSet::of(&[MTAB_01])),
+        85 if plan.is_contour_call() => auxiliary(code, RuleSet::of(&[MCODE_22, LAPC_08])),
         _ => auxiliary(code, RuleSet::of(aux_rules(code))),
     })
 }

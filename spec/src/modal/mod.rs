@@ -17,8 +17,10 @@ mod words;
 
 pub use carry_out::{before_motion, end, end_code, stop};
 pub use check::{Before, Change, Plan, check};
-pub use feed::{active_feed, dwell, dwell_time, is_feed};
+pub use feed::{
+    active_feed, dwell, dwell_time, in_force as feed_in_force, is_feed, readings as feed_readings,
+};
 pub use miscellaneous::by_cycle;
 pub use reset::{mode, reset};
 pub use spindle::{motion_speed, turning_speed};
-pub use words::{Other, Words, evaluate};
+pub use words::{Other, Words, Written, evaluate, evaluate_call};

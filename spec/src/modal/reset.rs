@@ -3,6 +3,7 @@
 use crate::controls::e100l::g_codes::GGroup;
 use crate::emission::Emission;
 use crate::frame::Amounts;
+use crate::lap;
 use crate::state::{Modes, State};
 use crate::thread;
 use crate::turret::OwnData;
@@ -23,11 +24,12 @@ const RESET: [(GGroup, RuleSet); 9] = [
 ];
 
 /// Resets the modes, the turret and the zero shift, and without an event the areas and the comment of the user task and
-/// what threads and coordinate conversion keep; the events of what changes.
+/// what threads, coordinate conversion and contours keep; the events of what changes.
 pub fn reset(state: &mut State) -> Vec<Emission> {
     state.memory.reset();
     state.thread = thread::Kept::default();
     state.contour.end_conversion();
+    state.lap = lap::Kept::default();
     let mut emissions = Vec::new();
     for (group, rules) in RESET {
         let (active, initial) = (state.modes.get(group), group.initial());

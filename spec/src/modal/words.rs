@@ -9,6 +9,7 @@ use crate::controls::e100l::units;
 use crate::cycle;
 use crate::emission::Emission;
 use crate::fault::{Fault, Outcome, fail};
+use crate::lap;
 use crate::quantity::{self, Exact, ratio, whole};
 use crate::saddle::Commands;
 use crate::state::State;
@@ -45,6 +46,37 @@ pub struct Words {
     pub assigns: bool,
     /// Who carries its common words out, on a machine with two saddles.
     pub commands: Commands,
+    /// All words in written order.
+    pub written: Vec<Written>,
+    /// The numbers of FA and FB, and of an E that is a feed, as they are written.
+    pub feeds: Vec<(Address, Exact)>,
+    /// The block that a call of LAP names (E100L-LAP-09).
+    pub contour: Option<Label>,
+}
+
+/// A word by what names it.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Written {
+    /// A G word.
+    G(u16),
+    /// An M word.
+    M(u16),
+    /// A word of another address.
+    Word(Address),
+    /// CALRG.
+    MajorArc,
+}
+
+impl Written {
+    /// The code, or the address.
+    pub fn label(self) -> Label {
+        match self {
+            Self::G(code) => Label::of_code(b'G', code),
+            Self::M(code) => Label::of_code(b'M', code),
+            Self::Word(address) => address.label(),
+            Self::MajorArc => Label::new("CALRG"),
+        }
+    }
 }
 
 /// A word other than G, M and F; `address` is none for CALRG.
@@ -71,6 +103,11 @@ impl Words {
 
     fn of(&self, address: Address) -> Option<i64> {
         self.others.iter().find(|other| other.address == Some(address)).map(|other| other.value)
+    }
+
+    /// The number of FA, FB, or an E that is a feed.
+    pub fn feed_of(&self, address: Address) -> Option<&Exact> {
+        self.feeds.iter().find(|(known, _)| *known == address).map(|(_, number)| number)
     }
 
     /// Whether one of these one-letter addresses stands in the block.
@@ -108,11 +145,33 @@ pub fn evaluate(
     state: &mut State,
     emissions: &mut Vec<Emission>,
 ) -> Outcome<Words> {
-    let mut words = Words::default();
+    evaluate_into(Words::default(), items, owner, state, emissions)
+}
+
+/// The same for a call of LAP, whose first item is its code.
+pub fn evaluate_call(
+    contour: Label,
+    items: &[Item],
+    owner: task::Registration,
+    state: &mut State,
+    emissions: &mut Vec<Emission>,
+) -> Outcome<Words> {
+    let words = Words { contour: Some(contour), ..Words::default() };
+    evaluate_into(words, items, owner, state, emissions)
+}
+
+fn evaluate_into(
+    mut words: Words,
+    items: &[Item],
+    owner: task::Registration,
+    state: &mut State,
+    emissions: &mut Vec<Emission>,
+) -> Outcome<Words> {
     for item in items {
         let result = match &item.kind {
             ItemKind::MajorArc => {
                 words.others.push(Other { address: None, value: 0, span: item.span.clone() });
+                words.written.push(Written::MajorArc);
                 Ok(())
             }
             ItemKind::Assignment(target, value) => {
@@ -164,14 +223,20 @@ fn add(
         }
         Address::Letter(b'F') => {
             words.feed = Some(given.value);
+            words.written.push(Written::Word(address));
             return Ok(());
         }
         // E100L-CSC-02.
         Address::Letter(b'Y') if !state.modes.converting() => {
             return fail(AlarmName::AddressUnknown, ADDR_01);
         }
-        _ => amount(address, &given, state.setup)?,
+        _ if is_feed(address, state) => {
+            words.feeds.push((address, given.value.clone()));
+            0
+        }
+        _ => amount(address, &given, words.contour.is_some(), state.setup)?,
     };
+    words.written.push(Written::Word(address));
     match address {
         Address::Letter(b'J') => words.leads = Some(given.value),
         Address::Letter(b'D') => words.d = Some(given.value),
@@ -183,22 +248,31 @@ fn add(
     Ok(())
 }
 
+/// Whether a word other than F is a feed, whose range is tested where it is used (E100L-LAP-07, E100L-LAPC-02).
+fn is_feed(address: Address, state: &State) -> bool {
+    match address {
+        Address::Letter(b'E') => state.lap.takes_feeds(),
+        _ => matches!(address, Address::Extended("FA" | "FB")),
+    }
+}
+
 fn is_length(address: Address) -> bool {
     match address {
         Address::Letter(letter) => b"XYZIKDUHLWR".contains(&letter),
-        Address::Extended(name) => name == "DA",
+        Address::Extended(name) => ["XA", "XB", "ZA", "ZB", "DA", "DB"].contains(&name),
     }
 }
 
 /// E100L-ADDR-01: the value of a word in its small unit, within the range of its address.
-fn amount(address: Address, given: &Given, setup: &Setup) -> Outcome<i64> {
+fn amount(address: Address, given: &Given, contour_call: bool, setup: &Setup) -> Outcome<i64> {
     let system = setup.unit_system;
     match address {
-        Address::Letter(b'X' | b'Y' | b'Z' | b'I' | b'K' | b'L' | b'R') | Address::Extended("DA") => {
-            length(given, true, setup)
-        }
-        Address::Letter(b'W') => length(given, setup.options.w_axis, setup),
-        Address::Letter(b'D' | b'U' | b'H') => length(given, false, setup),
+        Address::Letter(b'X' | b'Y' | b'Z' | b'I' | b'K' | b'L' | b'R') => length(given, true, setup),
+        Address::Extended("XA" | "XB" | "ZA" | "ZB") => length(given, true, setup),
+        // E100L-LAP-18: in a call W is an amount.
+        Address::Letter(b'W') => length(given, setup.options.w_axis && !contour_call, setup),
+        Address::Extended("DA") => length(given, !contour_call, setup),
+        Address::Letter(b'D' | b'U' | b'H') | Address::Extended("DB") => length(given, false, setup),
         Address::Letter(b'C') => angle(given, 359_999_000, setup),
         Address::Letter(b'A' | b'B') => angle(given, Setup::COORDINATE, setup),
         Address::Letter(b'E') => {
@@ -292,6 +366,7 @@ fn add_g(given: &Given, setup: &Setup, words: &mut Words) -> Outcome<()> {
     };
     machine::has_g(code, setup)?;
     cycle::stands_first(code, words)?;
+    lap::has_g(code, words, setup)?;
     if code == 90 && words.has_g(91) || code == 91 && words.has_g(90) {
         return fail(AlarmName::AbsoluteAndIncremental, ABS_04);
     }
@@ -300,6 +375,7 @@ fn add_g(given: &Given, setup: &Setup, words: &mut Words) -> Outcome<()> {
         return fail(AlarmName::GCodesConflict, GCODE_04);
     }
     words.g.push(code);
+    words.written.push(Written::G(code));
     Ok(())
 }
 
@@ -323,5 +399,6 @@ fn add_m(given: &Given, state: &State, words: &mut Words) -> Outcome<()> {
         return fail(AlarmName::MCodesConflict, MCODE_01);
     }
     words.m.push(code);
+    words.written.push(Written::M(code));
     Ok(())
 }

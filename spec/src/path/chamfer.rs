@@ -43,7 +43,7 @@ pub fn chamfer(plan: &Plan, ahead: &[Ahead], state: &mut State) -> Outcome<Vec<E
     } else {
         any_angle_corner(plan, origin, corner_point, ahead, state)?
     };
-    check_range(amounts(corner_point), corner.axes, state.setup)?;
+    check_range(state.lap.in_program(amounts(corner_point)), corner.axes, state.setup)?;
     state.base = Some(Base { corner: corner_point, whole: !basic });
     if plan.is_angle_only()
         && let Some(Ahead { plan: next, .. }) = ahead.first()

@@ -281,13 +281,14 @@ pub fn event(
     state: &State,
 ) -> Emission {
     let rules = if state.frame.mirrored { rules.with(MIRR_05) } else { rules };
-    let Some((feed, feed_rules)) = feed else { return Emission::new(Action::Rapid { motion }, rules) };
+    let event = |action, rules| state.lap.marked(Emission::new(action, rules));
+    let Some((feed, feed_rules)) = feed else { return event(Action::Rapid { motion }, rules) };
     let rules = rules.union(feed_rules);
     if let Shape::Arc { centre, sense } = shape {
         let (centre_x, centre_z) = (Length(centre.0), Length(centre.1));
-        return Emission::new(Action::Arc { motion, feed, sense, centre_x, centre_z }, rules);
+        return event(Action::Arc { motion, feed, sense, centre_x, centre_z }, rules);
     }
     let c_travel = motion.c_travel.map(|travel| travel.0);
     let (path, path_rules, readings) = feed_path(from, state.frame.machine, c_travel, state.setup);
-    Emission::new(Action::Linear { motion, feed, path }, rules.union(path_rules)).readings(readings)
+    event(Action::Linear { motion, feed, path }, rules.union(path_rules)).readings(readings)
 }

@@ -129,6 +129,8 @@ fn lacks_data(plan: &Plan) -> Fault {
 }
 
 /// The block after one that needs it, if it is a line of the turning plane and nothing more.
+///
+/// G80 and E have passed their checks in definitions of LAP alone.
 pub fn next_block<'p>(plan: &Plan, ahead: &'p [Ahead]) -> Outcome<(&'p Plan, Place)> {
     let Some(Ahead { plan: next, place }) = ahead.first() else { return Err(lacks_data(plan)) };
     let chamfer = plan.is_chamfer();
@@ -137,9 +139,9 @@ pub fn next_block<'p>(plan: &Plan, ahead: &'p [Ahead]) -> Outcome<(&'p Plan, Pla
         // E100L-ANG-07: only corners between two lines.
         return Err(Fault::new(AlarmName::ChamferCorner, ANG_07));
     }
-    let g_fits = next.words.g.iter().all(|code| matches!(code, 0 | 1 | 75 | 76 | 90 | 91 | 94 | 95));
+    let g_fits = next.words.g.iter().all(|code| matches!(code, 0 | 1 | 75 | 76 | 80 | 90 | 91 | 94 | 95));
     let fits = |other: &crate::modal::Other| match other.address {
-        Some(Address::Letter(letter)) => b"XZALS".contains(&letter),
+        Some(Address::Letter(letter)) => b"XZALSE".contains(&letter),
         _ => false,
     };
     let others_fit = next.words.others.iter().all(fits);

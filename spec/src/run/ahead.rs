@@ -1,8 +1,10 @@
 //! What look-ahead sees: the blocks behind a corner (E100L-ANG-05, E100L-ANG-06).
 
 use super::channel::Channel;
+use super::lap::refuse_content;
 use super::reading::{Block, Content};
 use crate::fault::{Fault, Outcome};
+use crate::lap;
 use crate::modal::{self, Before, Plan};
 use crate::path::{self, Ahead};
 use crate::task::Registration;
@@ -39,9 +41,17 @@ impl Channel<'_> {
     /// The block `index` places further, checked as one that comes after this; none if there is nothing that a
     /// corner could be computed from.
     fn peek(&mut self, index: usize, needing: &Plan, before: Before) -> Outcome<Option<Ahead>> {
+        if needing.words.has_g(80) {
+            // The block with G80 is the last one of its definition (E100L-LAP-01).
+            return Ok(None);
+        }
+        let called = self.calls.depth();
         let program = self.calls.running_mut();
         let Some(Block { place, content, .. }) = self.reader.ahead(index, program)? else { return Ok(None) };
         let place = *place;
+        if let Some(definition) = &self.state.lap.definition {
+            refuse_content(content, definition.in_called(called)).map_err(|fault| fault.of_block(place))?;
+        }
         let words = match content {
             Content::Statement(statement) => {
                 let rule = if needing.is_chamfer() { ANG_05 } else { ANG_06 };
@@ -57,13 +67,23 @@ impl Channel<'_> {
                 let words = modal::evaluate(items, nothing, &mut self.state, &mut Vec::new())
                     .map_err(|fault| fault.of_block(place))?;
                 *content = Content::Words(Box::new(words.clone()));
+                lap::refuse_words(&words, true, &self.state).map_err(|fault| fault.of_block(place))?;
                 words
+            }
+            Content::ContourCall(contour, items) => {
+                if items.iter().any(|item| item.kind.is_assignment()) {
+                    return Ok(None);
+                }
+                let nothing = Registration::Change { program: 0 };
+                modal::evaluate_call(*contour, items, nothing, &mut self.state, &mut Vec::new())
+                    .map_err(|fault| fault.of_block(place))?
             }
             Content::Words(words) => words.as_ref().clone(),
             Content::Nothing | Content::Name | Content::Turret(_) | Content::Communication(_) => {
                 return Ok(None);
             }
         };
+        let before = Before { has_contour: self.has_contour(&words), ..before };
         let plan = modal::check(words, before, &self.state);
         plan.map(|plan| Some(Ahead { plan, place })).map_err(|fault| fault.of_block(place))
     }

@@ -1,5 +1,6 @@
 //! A channel: a program that is carried out block by block, with the state of the machine, or of the saddle, that it moves.
 
+use super::lap::Lap;
 use super::passes::{Cycle, Passes};
 use super::reading::{self, Block, Content, Reader};
 use super::statement::Carried;
@@ -8,6 +9,7 @@ use crate::compensation::{Compensation, Stream};
 use crate::contour;
 use crate::emission::Emission;
 use crate::fault::Outcome;
+use crate::lap;
 use crate::modal::{self, Before, Plan, Words};
 use crate::path;
 use crate::schedule::Schedule;
@@ -28,6 +30,10 @@ pub struct Channel<'a> {
     pub(super) schedule: Option<Schedule>,
     /// A fixed cycle of which passes are left.
     pub(super) cycle: Option<Box<Cycle>>,
+    /// The block of a definition of LAP that is passed over (E100L-LAP-10).
+    pub(super) passing: Option<Place>,
+    /// A call of LAP that is carried out.
+    pub(super) lap: Option<Box<Lap<'a>>>,
     pub(super) setup: &'a Setup,
 }
 
@@ -48,7 +54,8 @@ impl<'a> Channel<'a> {
         let (start, schedule) = (texts.main_start(), texts.is_schedule(setup).then(|| Schedule::new(&texts)));
         let reader = Reader::new(texts, setup);
         let calls = Calls::new(start);
-        Self { reader, calls, state, compensation: Compensation::Off, schedule, cycle: None, setup }
+        let compensation = Compensation::Off;
+        Self { reader, calls, state, compensation, schedule, cycle: None, passing: None, lap: None, setup }
     }
 
     /// Carries out one block, or the next pass of a cycle: the events that are decided then, in order, each with its
@@ -60,10 +67,13 @@ impl<'a> Channel<'a> {
         if let Some(cycle) = self.cycle.take() {
             return self.next_pass(*cycle, place, decided);
         }
-        let Some(block) = self.reader.arrive(self.calls.running_mut(), place)? else {
+        if let Some(lap) = self.lap.take() {
+            return self.go_on_in_call(lap, place, decided);
+        }
+        let Some(block) = self.arrive(place)? else {
             return Err(reading::end(self.calls.running()));
         };
-        let Block { place: here, content, behind } = block;
+        let Block { place: here, content, behind, .. } = block;
         let mut stream = self.compensation.stream(here, self.state.side(), decided);
         let progress = self.carry_out(content, Carried { place: here, behind }, &mut stream);
         stream.close();
@@ -95,6 +105,13 @@ impl<'a> Channel<'a> {
     fn carry_out(&mut self, content: Content, block: Carried, stream: &mut Stream) -> Outcome<Progress> {
         let Some(words) = self.words(content, block, stream)? else { return Ok(Progress::Going) };
         let moved = self.up_to_motion(words, stream)?;
+        if moved.plan.is_contour_call() {
+            self.begin_call(moved.plan, block);
+            return Ok(Progress::Going);
+        }
+        if moved.plan.begins_definition() {
+            self.passing = Some(block.place);
+        }
         self.go_on(moved, block, stream)
     }
 
@@ -124,12 +141,17 @@ impl<'a> Channel<'a> {
                 let own = Registration::Change { program: self.calls.depth() };
                 modal::evaluate(&items, own, &mut self.state, &mut stream.emissions).map(Some)
             }
+            Content::ContourCall(contour, items) => {
+                let own = Registration::Change { program: self.calls.depth() };
+                modal::evaluate_call(contour, &items, own, &mut self.state, &mut stream.emissions).map(Some)
+            }
         }
     }
 
     /// Checks, and steps 1 to 7.
     pub(super) fn up_to_motion(&mut self, words: Words, stream: &mut Stream) -> Outcome<Moved> {
-        let plan = modal::check(words, self.before(), &self.state)?;
+        let before = Before { has_contour: self.has_contour(&words), ..self.before() };
+        let plan = self.state.lap.taken(modal::check(words, before, &self.state)?);
         modal::before_motion(&plan, &mut self.state, &mut stream.emissions)?;
         if plan.words.assigns || plan.words.get('T').is_some() || plan.one_shot == Some(50) {
             // The frame may have changed: a corner of before means nothing now.
@@ -138,6 +160,7 @@ impl<'a> Channel<'a> {
         if plan.has_passes() {
             return self.begin_cycle(plan, stream);
         }
+        lap::begin_motion(&plan, &mut self.state)?;
         let in_plane = self.motion(&plan, stream)?;
         Ok(Moved { plan, in_plane, passes: None })
     }
@@ -181,6 +204,7 @@ impl<'a> Channel<'a> {
             after_angle: self.state.angle_target.is_some(),
             left_over: self.compensation.is_left_over(),
             modal: self.calls.last_to_call() > 0,
+            has_contour: false,
         }
     }
 
@@ -204,10 +228,11 @@ impl<'a> Channel<'a> {
             }
             _ if plan.moves => {
                 let ahead = self.look_ahead(plan)?;
-                elements = path::elements(plan, &ahead, &mut self.state)?;
+                elements = self.state.in_contour_coordinates(|state| path::elements(plan, &ahead, state))?;
             }
             _ => {}
         }
+        lap::place(plan, &mut elements, &mut self.state)?;
         self.compensation.motion(plan, &elements, dwell, stream, &mut self.state)
     }
 }

@@ -21,6 +21,8 @@ pub struct Block {
     pub content: Content,
     /// The block behind it.
     pub behind: Spot,
+    /// The codes G80 to G83 that its items have as plain numbers (E100L-LAP-10).
+    pub definition: Vec<u16>,
 }
 
 /// What a block holds.
@@ -39,6 +41,8 @@ pub enum Content {
     Statement(Statement),
     /// A statement of data communication.
     Communication(Communication),
+    /// A call of LAP: the name of its contour, and its items.
+    ContourCall(Label, Vec<Item>),
 }
 
 /// The place of a run in its texts.
@@ -117,6 +121,7 @@ impl<'a> Reader<'a> {
         }
         let began = program.began;
         program.began |= body != Body::Empty;
+        let definition = definition_codes(&body);
         let content = match body {
             Body::Empty | Body::Skipped => Content::Nothing,
             Body::ProgramName(_) if began => {
@@ -133,9 +138,19 @@ impl<'a> Reader<'a> {
             Body::Items(items) | Body::Noex(items) => Content::Items(items),
             Body::Statement(statement) => Content::Statement(statement),
             Body::Communication(statement) => Content::Communication(statement),
+            Body::ContourCall(contour, items) => Content::ContourCall(contour, items),
         };
         self.next = behind;
-        Ok(Block { place: *place, content, behind })
+        Ok(Block { place: *place, content, behind, definition })
+    }
+
+    /// Whether the program has no further block (execution.md, chapter 9).
+    pub fn at_end(&self, program: &Activation) -> Outcome<bool> {
+        if !self.waiting.is_empty() {
+            return Ok(false);
+        }
+        let next = self.programs.texts().read(self.next)?;
+        Ok(next.is_none_or(|read| program.began && self.begins_program(&read)))
     }
 
     fn selects_turret(&self, items: &[Item]) -> bool {
@@ -156,6 +171,14 @@ impl<'a> Reader<'a> {
         }
         Ok(self.waiting.iter_mut().filter(|block| is_seen(block)).nth(index))
     }
+}
+
+fn definition_codes(body: &Body) -> Vec<u16> {
+    let items = match body {
+        Body::Items(items) | Body::ContourCall(_, items) => items.as_slice(),
+        _ => &[],
+    };
+    items.iter().filter_map(|item| item.kind.plain_g()).filter(|code| (80..=83).contains(code)).collect()
 }
 
 fn is_seen(block: &Block) -> bool {

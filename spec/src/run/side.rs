@@ -112,11 +112,11 @@ impl<'a> SideProgram<'a> {
 
     fn next_block(&mut self, place: &mut Place, decided: &mut Vec<(Place, Emission)>) -> Outcome<Status> {
         let channel = &mut self.channel;
-        let Some(block) = channel.reader.arrive(channel.calls.running_mut(), place)? else {
+        let Some(block) = channel.arrive(place)? else {
             *place = self.last;
             return self.with_stream(self.last, decided, |side, stream| side.end(None, stream));
         };
-        let Block { place: here, content, behind } = block;
+        let Block { place: here, content, behind, .. } = block;
         if !matches!(content, Content::Nothing | Content::Name) {
             self.last = here;
         }
@@ -183,6 +183,9 @@ impl<'a> SideProgram<'a> {
 
     fn checked_and_moved(&mut self, words: Words, block: Carried, stream: &mut Stream) -> Outcome<Status> {
         let moved = self.channel.up_to_motion(words, stream)?;
+        if moved.plan.begins_definition() {
+            self.channel.passing = Some(block.place);
+        }
         self.moved(moved, block, stream)
     }
 

@@ -18,7 +18,10 @@ pub fn statement(cursor: &mut Cursor, setup: &Setup) -> Outcome<Option<Body>> {
     let start = cursor.mark();
     let statement = match keyword(cursor) {
         Ok(Some(keyword)) => of_keyword(keyword, cursor, setup).map(Some),
-        Ok(None) => of_macro_code(cursor, setup).map(|statement| statement.map(Body::Statement)),
+        Ok(None) => match contour_call(cursor, setup) {
+            Ok(None) => of_macro_code(cursor, setup).map(|statement| statement.map(Body::Statement)),
+            call => call,
+        },
         Err(fault) => Err(fault),
     };
     statement.map_err(|fault| {
@@ -88,14 +91,19 @@ fn delimited_name(name: Label, cursor: &Cursor) -> Outcome<Label> {
 
 /// A sequence name, and nothing behind it.
 pub(super) fn destination(cursor: &mut Cursor, rule: RuleId) -> Outcome<Label> {
+    let name = named_block(cursor, rule)?;
+    nothing_more(cursor, rule)?;
+    Ok(name)
+}
+
+/// A sequence name.
+fn named_block(cursor: &mut Cursor, rule: RuleId) -> Outcome<Label> {
     cursor.skip_blanks()?;
     // E100L-NOEX-01: NOEX is a keyword here too.
     if cursor.peek() != Some(b'N') || cursor.run() == "NOEX" {
         return fail(AlarmName::Format, rule);
     }
-    let name = sequence_name(cursor, false)?;
-    nothing_more(cursor, rule)?;
-    Ok(name)
+    sequence_name(cursor, false)
 }
 
 /// Nothing but blanks to the end of the block.
@@ -180,6 +188,23 @@ fn of_macro_code(cursor: &mut Cursor, setup: &Setup) -> Outcome<Option<Statement
         Macro::Modal => Statement::Modin(Callee::Code(code), settings),
         Macro::Call => Statement::Call(Callee::Code(code), settings),
     }))
+}
+
+/// E100L-LAP-09: a call of LAP, G85 to G88, the name of its contour, and items; if it is none, nothing is taken.
+fn contour_call(cursor: &mut Cursor, setup: &Setup) -> Outcome<Option<Body>> {
+    let start = cursor.mark();
+    let word = if cursor.peek() == Some(b'G') { items::next(cursor, setup).ok().flatten() } else { None };
+    let Some(head) = word.filter(|word| matches!(word.kind.plain_g(), Some(85..=88))) else {
+        cursor.rewind(start);
+        return Ok(None);
+    };
+    if let Some(code) = head.kind.plain_g() {
+        is_described(Label::of_code(b'G', code).as_str(), setup)?;
+    }
+    let contour = named_block(cursor, LAP_09)?;
+    let mut items = vec![head];
+    items.append(&mut items::items(cursor, setup)?);
+    Ok(Some(Body::ContourCall(contour, items)))
 }
 
 /// The code of a word that is a macro code, written as a plain number.

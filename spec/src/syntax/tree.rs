@@ -32,6 +32,8 @@ pub enum Body {
     Statement(Statement),
     /// A statement of data communication (E100L-RDWR-01, E100L-GPUT-01).
     Communication(Communication),
+    /// A call of LAP: the sequence name of its contour, and its items, the code first (E100L-LAP-09).
+    ContourCall(Label, Vec<Item>),
 }
 
 /// A statement that tells which block comes next; the items behind it are all assignments.
@@ -110,6 +112,12 @@ impl ItemKind {
     /// Whether it sets a variable.
     pub fn is_assignment(&self) -> bool {
         matches!(self, Self::Assignment(..) | Self::Comment(..))
+    }
+
+    /// The code of a G word that is written as a plain number.
+    pub fn plain_g(&self) -> Option<u16> {
+        let Self::Word(Address::Letter(b'G'), Value::Number(number)) = self else { return None };
+        number.whole().and_then(|value| u16::try_from(value).ok())
     }
 }
 

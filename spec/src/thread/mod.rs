@@ -19,6 +19,8 @@ mod taper;
 
 pub use check::{check_block, check_compound, not_in_compensation, not_in_constant_speed};
 pub use compound::Compound;
+pub use flank::Flanks;
+pub use infeed::{Depth, Infeed};
 pub use kept::Kept;
 pub use lead::measure;
 pub use motion::Cited;

@@ -92,7 +92,9 @@ pub fn carry_out(step: &Step, thread: &Thread, plan: &Plan, state: &mut State) -
     let shape = if cuts { Shape::Line } else { Shape::Rapid };
     let Cited { rules, readings } = step.cited;
     let element = Element { target, axes: step.axes, shape, rules, readings };
-    element.check_range(state.setup)?;
+    if !state.lap.is_reading() {
+        element.check_range(state.setup)?;
+    }
     let wanted = state.frame.to_machine(target);
     if step.axes.x {
         state.limits.x.check(wanted.x)?;
@@ -123,7 +125,7 @@ fn event(step: &Step, thread: &Thread, before: Amounts, state: &State) -> Emissi
         Work::Rapid => cited(Action::Rapid { motion }),
         Work::Thread(lead) => {
             let Thread { axis, lead: Lead { change, .. }, start_angle } = *thread;
-            cited(Action::Thread {
+            state.lap.marked(cited(Action::Thread {
                 motion,
                 lead: FeedRate(lead),
                 axis,
@@ -131,7 +133,7 @@ fn event(step: &Step, thread: &Thread, before: Amounts, state: &State) -> Emissi
                 start: (start_angle != 0).then_some(Angle(start_angle)),
                 spindle: None,
                 feed: None,
-            })
+            }))
         }
         Work::Withdrawal => {
             let feed = Feed { value: FeedRate(withdrawal_rate(state.setup)), unit: FeedUnit::PerMinute };

@@ -4,13 +4,11 @@
 pub const LETTERS: &[u8] = b"ABCDEFGHIJKLMPQRSTUWXYZ";
 
 /// Extended addresses that are modelled (E100L-FMT-03).
-pub const EXTENDED: &[&str] = &["SB", "SA", "QA", "PZ", "PW", "DA"];
+pub const EXTENDED: &[&str] = &["SB", "SA", "QA", "PZ", "PW", "DA", "DB", "FA", "FB", "XA", "XB", "ZA", "ZB"];
 
 /// The other extended addresses.
-pub const EXTENDED_LATER: &[&str] = &[
-    "AA", "AB", "DB", "FA", "FB", "IA", "IB", "KA", "KB", "LA", "LB", "RA", "RB", "TA", "TB", "UA", "UB",
-    "WA", "WB", "XA", "XB", "ZA", "ZB", "BC",
-];
+pub const EXTENDED_LATER: &[&str] =
+    &["AA", "AB", "IA", "IB", "KA", "KB", "LA", "LB", "RA", "RB", "TA", "TB", "UA", "UB", "WA", "WB", "BC"];
 
 /// Statements that stand at the beginning of a block (E100L-GCODE-03).
 pub const STATEMENTS: &[&str] = &[

@@ -25,8 +25,10 @@ pub enum GGroup {
     Conversion,
     /// G178 to G190.
     Cycle,
-    /// G04 G22 G28 G29 G50 G71 to G78: act in their block only.
+    /// G04 G22 G28 G29 G50 G71 to G78, G80 to G83, G85 to G88: act in their block only.
     OneShot,
+    /// G84, which stands beside G85 (E100L-LAPC-02).
+    ChangePoints,
 }
 
 impl GGroup {
@@ -60,13 +62,14 @@ impl GGroup {
             Self::Conversion => "conversion",
             Self::Cycle => "cycle",
             Self::OneShot => "one_shot",
+            Self::ChangePoints => "change_points",
         }
     }
 
     /// The code active at power-on.
     pub fn initial(self) -> u16 {
         match self {
-            Self::Motion | Self::OneShot => 0,
+            Self::Motion | Self::OneShot | Self::ChangePoints => 0,
             Self::Plane => 18,
             Self::Compensation => 40,
             Self::Dimension => 90,
@@ -105,7 +108,8 @@ pub enum GCode {
 pub fn g_code(code: u16) -> GCode {
     let group = match code {
         0..=3 | 31..=35 | 101..=103 | 132 | 133 => GGroup::Motion,
-        4 | 22 | 28 | 29 | 50 | 71..=78 => GGroup::OneShot,
+        4 | 22 | 28 | 29 | 50 | 71..=78 | 80..=83 | 85..=88 => GGroup::OneShot,
+        84 => GGroup::ChangePoints,
         13 | 14 => GGroup::Turret,
         17 | 18 | 119 => GGroup::Plane,
         40..=42 => GGroup::Compensation,
@@ -119,7 +123,7 @@ pub fn g_code(code: u16) -> GCode {
         19 | 20 | 21 | 30 | 36 | 37 | 62 | 100 | 107 | 108 | 122 | 123 | 140..=143 | 152 | 191 => {
             return GCode::Unspecified;
         }
-        80..=88 | 112 | 113 | 138 => return GCode::Later,
+        112 | 113 | 138 => return GCode::Later,
         161..=171 | 205..=214 => return GCode::Macro,
         _ => return GCode::Unassigned,
     };
