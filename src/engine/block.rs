@@ -7,6 +7,7 @@ use super::Interpreter;
 use super::codes::GGroup;
 use super::compensation::Change;
 use super::fault::Fault;
+use super::lap::Code;
 use super::planted::{self, Bug};
 use super::thread;
 use super::words::{Address, Parsed, Words};
@@ -26,6 +27,8 @@ pub enum OneShot {
     ThreadAlong,
     /// G72.
     ThreadAcross,
+    /// A definition of LAP, or a call of one.
+    Lap(Code),
 }
 
 impl OneShot {
@@ -40,7 +43,8 @@ impl OneShot {
             Some(71) => Self::ThreadAlong,
             Some(72) => Self::ThreadAcross,
             Some(76) => Self::Rounding,
-            _ => Self::None,
+            Some(code) => Code::of(code).map_or(Self::None, Self::Lap),
+            None => Self::None,
         }
     }
 
@@ -89,17 +93,17 @@ impl Plan {
     }
 }
 
-const AXES: u32 = Address::set(&[Address::X, Address::Z, Address::C, Address::W, Address::A, Address::QA]);
-const ARC: u32 = Address::set(&[Address::I, Address::K, Address::L, Address::Calrg]);
-const IMAGINARY: u32 = Address::set(&[Address::I, Address::K]);
-const ALWAYS: u32 = Address::set(&[Address::F, Address::S, Address::T, Address::SB, Address::SA, Address::P]);
-const ARC_TAKES: u32 =
+const AXES: u64 = Address::set(&[Address::X, Address::Z, Address::C, Address::W, Address::A, Address::QA]);
+const ARC: u64 = Address::set(&[Address::I, Address::K, Address::L, Address::Calrg]);
+const IMAGINARY: u64 = Address::set(&[Address::I, Address::K]);
+const ALWAYS: u64 = Address::set(&[Address::F, Address::S, Address::T, Address::SB, Address::SA, Address::P]);
+const ARC_TAKES: u64 =
     Address::set(&[Address::X, Address::Z, Address::I, Address::K, Address::L, Address::Calrg]);
-const CHAMFER_TAKES: u32 = Address::set(&[Address::X, Address::Z, Address::A, Address::L]);
-const SKIP_TAKES: u32 =
+const CHAMFER_TAKES: u64 = Address::set(&[Address::X, Address::Z, Address::A, Address::L]);
+const SKIP_TAKES: u64 =
     Address::set(&[Address::Z, Address::W, Address::D, Address::L, Address::PZ, Address::PW]);
-const LIMIT_TAKES: u32 = Address::set(&[Address::PZ, Address::PW]);
-const SHIFT_TAKES: u32 = Address::set(&[Address::X, Address::Z, Address::C, Address::W]);
+const LIMIT_TAKES: u64 = Address::set(&[Address::PZ, Address::PW]);
+const SHIFT_TAKES: u64 = Address::set(&[Address::X, Address::Z, Address::C, Address::W]);
 
 /// What the blocks before one leave to it.
 #[derive(Clone, Copy)]
@@ -120,9 +124,19 @@ impl Interpreter<'_> {
         let threads = thread::is_mode(motion);
         let one_shot = OneShot::of(words);
         check_alone(parsed, words)?;
+        let lap = match one_shot {
+            OneShot::Lap(code) => Some(code),
+            _ => None,
+        };
+        if let Some(code) = lap {
+            self.check_alone_in_lap(parsed, code)?;
+        }
         let speed_mode = words.has_g(96) || words.has_g(97);
         if speed_mode && (!words.has(Address::S) || one_shot == OneShot::ZeroShift) {
             return Fault::raise(AlarmName::CuttingSpeedMissing, CSS_03);
+        }
+        if let Some(code) = lap {
+            self.check_speed_in_lap(words, code)?;
         }
         let arc = matches!(motion, 2 | 3);
         let moving_words = match () {
@@ -139,6 +153,13 @@ impl Interpreter<'_> {
         }
         self.check_speed_turret(words)?;
         self.check_one_shot(words, one_shot, motion, after_angle)?;
+        match lap {
+            Some(code) => self.check_call(parsed, words, code, left_over)?,
+            None if self.lap.is_active() || words.code_of(GGroup::OneShot) == Some(80) => {
+                self.check_contour_block(words)?;
+            }
+            None => {}
+        }
         if free && moves {
             if arc {
                 check_arc(words)?;
@@ -152,7 +173,11 @@ impl Interpreter<'_> {
             }
         }
         let compensation = self.compensation_change(words);
-        check_functions(words, one_shot, motion, compensation)?;
+        self.check_change_points(words, lap)?;
+        match lap {
+            Some(code) => self.check_words_of_call(parsed, words, code)?,
+            None => check_functions(words, one_shot, motion, compensation, self.lap.defines())?,
+        }
         if threads || compound {
             self.check_thread_compensation(words, motion, cuts, left_over)?;
         }
@@ -175,7 +200,7 @@ impl Interpreter<'_> {
         let missing = |rule| Fault::raise(AlarmName::WordMissing, rule);
         let w_axis = self.setup.options.w_axis;
         match one_shot {
-            OneShot::None | OneShot::TorqueOff => Ok(()),
+            OneShot::None | OneShot::TorqueOff | OneShot::Lap(_) => Ok(()),
             OneShot::Dwell if !words.has(Address::F) => missing(DWELL_01),
             OneShot::Dwell => Ok(()),
             OneShot::ZeroShift => {
@@ -322,21 +347,28 @@ pub fn full_circle() -> Fault {
 }
 
 /// Every word needs a function that takes it.
-fn check_functions(words: &Words, one_shot: OneShot, motion: u16, compensation: Change) -> Result<(), Fault> {
+fn check_functions(
+    words: &Words,
+    one_shot: OneShot,
+    motion: u16,
+    compensation: Change,
+    in_contour: bool,
+) -> Result<(), Fault> {
     let takes = ALWAYS
         | match one_shot {
             OneShot::None if matches!(motion, 2 | 3) => ARC_TAKES,
             OneShot::None if thread::is_mode(motion) => thread::takes(motion),
             OneShot::None if compensation != Change::None => AXES | IMAGINARY,
             OneShot::None => AXES,
-            OneShot::Dwell | OneShot::TorqueOff => 0,
+            OneShot::Dwell | OneShot::TorqueOff | OneShot::Lap(_) => 0,
             OneShot::TorqueSkip => SKIP_TAKES,
             OneShot::TorqueLimit => LIMIT_TAKES,
             OneShot::ZeroShift => SHIFT_TAKES,
             OneShot::Chamfer | OneShot::Rounding => CHAMFER_TAKES,
             OneShot::ThreadAlong => thread::ALONG_TAKES,
             OneShot::ThreadAcross => thread::ACROSS_TAKES,
-        };
+        }
+        | if in_contour { Address::E.bit() } else { 0 };
     if words.present() & !takes == 0 {
         return Ok(());
     }

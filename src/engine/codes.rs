@@ -39,7 +39,9 @@ pub enum GGroup {
     CuttingSpeed,
     /// G110, G111.
     SpeedTurret,
-    /// G04 G22 G28 G29 G50 G71 G72 G75 G76, of which a block has one.
+    /// G84.
+    ChangePoints,
+    /// G04 G22 G28 G29 G50 G71 G72 G75 G76 G80 to G83 G85 to G88, of which a block has one.
     OneShot,
 }
 
@@ -106,11 +108,12 @@ pub fn is_m_macro(code: u16) -> bool {
 pub fn g_group(code: u16) -> Option<GGroup> {
     Some(match code {
         0..=3 | 31..=35 => GGroup::Motion,
-        4 | 22 | 28 | 29 | 50 | 71 | 72 | 75 | 76 => GGroup::OneShot,
+        4 | 22 | 28 | 29 | 50 | 71 | 72 | 75 | 76 | 80..=83 | 85..=88 => GGroup::OneShot,
         13 | 14 => GGroup::Turret,
         17 | 18 | 119 => GGroup::Plane,
         40..=42 => GGroup::Compensation,
         64 | 65 => GGroup::Droop,
+        84 => GGroup::ChangePoints,
         90 | 91 => GGroup::Dimension,
         94 | 95 => GGroup::FeedUnit,
         96 | 97 => GGroup::CuttingSpeed,

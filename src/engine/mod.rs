@@ -24,6 +24,7 @@ mod expression;
 mod fault;
 mod functions;
 mod items;
+mod lap;
 mod miscellaneous;
 mod motion;
 mod names;
@@ -61,6 +62,7 @@ use communication::Communication;
 use compensation::Compensation;
 use fault::Fault;
 use functions::Scales;
+use lap::Lap;
 use names::Names;
 use parse::Options;
 use planted::Bug;
@@ -100,6 +102,7 @@ pub struct Interpreter<'a> {
     compensation: Compensation,
     communication: Communication<'a>,
     schedule: Schedule,
+    lap: Lap,
     /// What makes this run that of one of two saddles.
     side: Option<Box<SideRun>>,
     /// The runs of both saddles, of which this run is the whole.
@@ -128,6 +131,7 @@ struct Known {
     thread_shift: ReadingSet,
     flank: ReadingSet,
     balanced: ReadingSet,
+    contour_feed: ReadingSet,
 }
 
 impl Known {
@@ -150,6 +154,7 @@ impl Known {
             thread_shift: one(readings.thread_shift),
             flank: one(readings.thread_flank),
             balanced: one(readings.balanced_infeed),
+            contour_feed: one(readings.contour_feed),
         }
     }
 }
@@ -196,6 +201,7 @@ impl<'a> Interpreter<'a> {
             compensation: Compensation::default(),
             communication: Communication::default(),
             schedule: Schedule::default(),
+            lap: Lap::default(),
             side: None,
             saddles: None,
             ordinal: 0,
@@ -250,6 +256,9 @@ impl<'a> Interpreter<'a> {
     fn next_block(&mut self, slot: &mut Slot, sink: &mut impl Sink) -> Result<Option<Ending>, Fault> {
         if self.side.is_some() && self.resume(slot, sink)? {
             return Ok(None);
+        }
+        if self.lap.is_active() {
+            return self.next_block_of_definition(slot, sink);
         }
         if self.compensation.acts() {
             self.compensation.begin_block();
@@ -307,11 +316,22 @@ impl<'a> Interpreter<'a> {
     /// Hands an event to the sink, or holds it.
     #[inline(always)]
     fn hand_over(&mut self, sink: &mut impl Sink, event: Event) {
-        if self.compensation.holds() {
-            return self.compensation.hold(&event);
+        if self.compensation.holds() | self.lap.observes() {
+            return self.hand_over_apart(sink, event);
         }
         self.ordinal = event.n;
         sink.event(&event);
+    }
+}
+
+impl Interpreter<'_> {
+    /// Holds an event, or takes note of it.
+    #[cold]
+    fn hand_over_apart(&mut self, sink: &mut impl Sink, event: Event) {
+        if self.lap.observes() {
+            return self.observe(sink, event);
+        }
+        self.compensation.hold(&event);
     }
 }
 

@@ -80,6 +80,7 @@ impl Interpreter<'_> {
             .and_if(x, cite::DIA_01)
             .and_if(x && incremental && !planted::is(Bug::DiameterRule), cite::ABS_03)
             .and_if(self.inch_block, cite::INCH_02)
+            .and(self.lap.cites())
     }
 
     /// The rules of the feed mode in force.
@@ -103,10 +104,13 @@ impl Interpreter<'_> {
                 let unit = self.state.feed_unit();
                 let [least, most] = self.units.feeds;
                 // Given in this mode it was tested with its word.
-                if feed.given != unit && !(least..=most).contains(&value) {
+                if feed.given != unit && !(least..=most).contains(&value) && !self.lap.reads() {
                     return Fault::raise(AlarmName::AddressRange, rules::ADDR_01);
                 }
                 Ok(Feed { value: FeedRate(value), unit })
+            }
+            None if self.lap.reads() => {
+                Ok(Feed { value: FeedRate(0), unit: self.state.feed_unit() })
             }
             None => Fault::raise(AlarmName::NoFeed, rules::G01_03),
         }
@@ -120,6 +124,15 @@ impl Interpreter<'_> {
             Kind::LinearAt(feed) => Ok(Some(feed)),
             Kind::Linear | Kind::Arc { .. } => self.feed().map(Some),
         }
+    }
+
+    /// Carries out one element that was found in the coordinates of the contour to which it belongs, if to any.
+    #[inline(always)]
+    pub(super) fn perform_placed(&mut self, mut element: Element, sink: &mut impl Sink) -> Result<(), Fault> {
+        if self.lap.is_active() {
+            self.place_element(&mut element)?;
+        }
+        self.perform(element, sink)
     }
 
     /// Carries out one element.
