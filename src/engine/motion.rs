@@ -15,7 +15,7 @@ use super::arithmetic::turn;
 use super::cite::{self, Cites};
 use super::fault::Fault;
 use super::planted::{self, Bug};
-use super::state::{Amounts, C, W, X, Z};
+use super::state::{Amounts, C, StoredFeed, W, X, Z};
 use super::words::{Address, Words};
 
 /// The kind of an element.
@@ -85,9 +85,14 @@ impl Interpreter<'_> {
 
     /// The rules of the feed mode in force.
     pub(super) fn feed_cites(&self) -> Cites {
+        self.cites_of_feed(self.state.feed)
+    }
+
+    /// The same where a stored feed is used.
+    pub(super) fn cites_of_feed(&self, stored: Option<StoredFeed>) -> Cites {
         let unit = self.state.feed_unit();
         let mode = if unit == FeedUnit::PerMinute { cite::FEED_02 } else { cite::FEED_01 };
-        mode.and_if(self.state.feed.is_some_and(|feed| feed.given != unit), cite::FEED_03)
+        mode.and_if(stored.is_some_and(|feed| feed.given != unit), cite::FEED_03)
     }
 
     /// The rules of a linear element, path length aside.
@@ -97,7 +102,13 @@ impl Interpreter<'_> {
 
     /// The feed in force (E100L-G01-03, E100L-FEED-03).
     pub(super) fn feed(&self) -> Result<Feed, Fault> {
-        match self.state.feed {
+        self.reading_of(self.state.feed)
+    }
+
+    /// A stored feed in the mode in force.
+    #[inline]
+    pub(super) fn reading_of(&self, stored: Option<StoredFeed>) -> Result<Feed, Fault> {
+        match stored {
             Some(feed) => {
                 let stale = planted::is(Bug::FeedOfOtherMode) && feed.given != self.state.feed_unit();
                 let value = feed.values[usize::from(self.state.per_minute == stale)];

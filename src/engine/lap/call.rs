@@ -61,8 +61,14 @@ impl Interpreter<'_> {
             Code::Finish => self.begin_to_finish(slot, sink),
             Code::Turn | Code::Copy | Code::Thread => {
                 self.state.base = None;
-                self.read_definition(slot, code, sink)?;
-                Ok(())
+                let kept_feed = self.lap.feed;
+                let reading = self.read_definition(slot, code, sink)?;
+                let job = self.job(&slot.words, code, &reading, kept_feed)?;
+                match code {
+                    Code::Turn => self.turn_bar(&job, sink),
+                    Code::Copy => self.copy_contour(&job, sink),
+                    _ => self.cut_legs(&job, &slot.words, &reading.definition.contour_motions, sink),
+                }
             }
         }
     }

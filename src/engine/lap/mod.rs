@@ -4,11 +4,22 @@
 mod admit;
 mod call;
 mod check;
+mod copying;
 mod definition;
 mod finish;
+mod job;
+mod level;
+mod outline;
 mod pass_over;
+mod plane;
 mod read;
 mod record;
+mod rules;
+mod threading;
+mod travel;
+mod turning;
+mod value;
+mod walk;
 
 use turnspec_oracle::vocabulary::{AlarmName, Ending, Label, Place, RuleId, Sink};
 
@@ -19,6 +30,7 @@ use super::fault::Fault;
 use super::slot::Slot;
 use super::state::StoredFeed;
 use definition::Definition;
+use rules::RuleCache;
 
 /// A code that begins a definition or calls one.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -98,6 +110,7 @@ pub struct Lap {
     shift: Point,
     /// What the motions of the block in progress cite because they belong to a contour (E100L-LAPC-06).
     cites: Cites,
+    cache: RuleCache,
 }
 
 impl Lap {

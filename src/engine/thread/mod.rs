@@ -21,6 +21,8 @@ use super::block::{OneShot, Plan};
 use super::fault::Fault;
 use super::words::{Address, Words};
 use axis::Axes;
+pub use depths::{Depth, Depths, Heights};
+pub use motion::Cited;
 use infeed::{Infeed, Pattern};
 use single::Cycle;
 
