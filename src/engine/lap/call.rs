@@ -64,9 +64,10 @@ impl Interpreter<'_> {
                 let kept_feed = self.lap.feed;
                 let reading = self.read_definition(slot, code, sink)?;
                 let job = self.job(&slot.words, code, &reading, kept_feed)?;
-                match code {
-                    Code::Turn => self.turn_bar(&job, sink),
-                    Code::Copy => self.copy_contour(&job, sink),
+                match (code, &job.blank) {
+                    (Code::Turn, _) => self.turn_bar(&job, sink),
+                    (Code::Copy, Some(blank)) => self.copy_bar(&job, blank, sink),
+                    (Code::Copy, None) => self.copy_contour(&job, sink),
                     _ => self.cut_legs(&job, &slot.words, &reading.definition.contour_motions, sink),
                 }
             }

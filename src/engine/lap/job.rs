@@ -63,6 +63,8 @@ pub struct Job {
     pub kept_feed: Option<StoredFeed>,
     /// Whether the feed of an element without E depends on the reading.
     pub names_feed: bool,
+    /// Whether it cuts at falling levels.
+    pub has_levels: bool,
     /// What every motion cites.
     pub every: Rules,
 }
@@ -170,6 +172,7 @@ impl Interpreter<'_> {
             stays: words.has_m(85),
             kept_feed: kept_feed.filter(|_| kept && !copies),
             names_feed: !copies,
+            has_levels: code == Code::Turn,
             every,
         };
         self.take_changes(words, &mut job)?;

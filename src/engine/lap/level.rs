@@ -38,7 +38,7 @@ impl Interpreter<'_> {
         let (over, rise) = job.on_start_line(pass.level);
         let k = Value::ratio(over, rise).latch(1, false);
         let (end, own) = match pass.last {
-            true => (job.contour.start, rules::AP1_08),
+            true => (job.contour.start, rules::AP1_03.and(rules::AP1_08)),
             false => (job.axes.point(pass.level, k), rules::AP1_03),
         };
         let way = if job.first_rapid { Way::Rapid } else { Way::Line(pass.cut.feed) };

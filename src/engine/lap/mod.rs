@@ -2,13 +2,17 @@
 //! which definition is read, carried out or passed over.
 
 mod admit;
+mod bar_copying;
 mod call;
 mod check;
 mod copying;
 mod definition;
 mod finish;
+mod front;
+mod graph;
 mod job;
 mod level;
+mod meeting;
 mod outline;
 mod pass_over;
 mod plane;

@@ -133,7 +133,7 @@ impl Interpreter<'_> {
     /// What a motion of a pass cites.
     pub(super) fn cited(job: &Job, count: &Count, own: Rules) -> Rules {
         let deeper = rules::LAPC_02.and(rules::LAPC_03);
-        let first = job.blank.is_some() && count.number == 1;
+        let first = job.has_levels && job.blank.is_some() && count.number == 1;
         job.every.and(own).and_if(count.differs, deeper).and_if(first, rules::AP4_01)
     }
 

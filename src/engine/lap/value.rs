@@ -2,7 +2,7 @@
 //!
 //! Unrounded values are in half nanometres, as directions of the plane are. Coordinates of contours are below 2^40,
 //! so that a rational one has a numerator below 2^82 and a denominator below 2^41; only on the line from a far AP start
-//! they grow, to 2^105 and 2^63. The square below a root is below 2^82.
+//! they grow, to 2^125 and 2^62, and where lines of mode V meet, to 2^125 and 2^83. The square below a root is below 2^84.
 
 use std::cmp::Ordering;
 
@@ -63,10 +63,12 @@ impl Value {
             (Self::Ratio { over, under }, Self::Ratio { over: over_2, under: under_2 }) => {
                 compare_products((over, under_2), (over_2, under))
             }
-            (Self::Ratio { over, under }, Self::Root { whole, side, square }) => {
+            (Self::Ratio { over, under }, Self::Root { whole, side, square }) if under < 1 << 62 => {
                 surd::sign(over - whole * under, -i128::from(side) * under, square)
             }
-            (Self::Root { .. }, Self::Ratio { .. }) => other.cmp(self, slow).reverse(),
+            (Self::Root { .. }, Self::Ratio { under, .. }) if under < 1 << 62 => {
+                other.cmp(self, slow).reverse()
+            }
             (
                 Self::Root { whole, side, square },
                 Self::Root { whole: whole_2, side: side_2, square: square_2 },
@@ -76,6 +78,7 @@ impl Value {
                 }
                 sign(&Gap(self, other), slow)
             }
+            _ => sign(&Gap(self, other), slow),
         }
     }
 
@@ -87,6 +90,15 @@ impl Value {
     /// The less of two numbers.
     pub fn min(self, other: Self, slow: &mut SlowPaths) -> Self {
         if self.cmp(other, slow) == Ordering::Greater { other } else { self }
+    }
+
+    /// About the number.
+    #[allow(clippy::cast_precision_loss)]
+    pub fn estimate(self) -> f64 {
+        match self {
+            Self::Ratio { over, under } => over as f64 / under as f64,
+            Self::Root { whole, side, square } => whole as f64 + f64::from(side) * (square as f64).sqrt(),
+        }
     }
 
     /// The number as a real one.
