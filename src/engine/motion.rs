@@ -120,9 +120,7 @@ impl Interpreter<'_> {
                 }
                 Ok(Feed { value: FeedRate(value), unit })
             }
-            None if self.lap.reads() => {
-                Ok(Feed { value: FeedRate(0), unit: self.state.feed_unit() })
-            }
+            None if self.lap.reads() => Ok(Feed { value: FeedRate(0), unit: self.state.feed_unit() }),
             None => Fault::raise(AlarmName::NoFeed, rules::G01_03),
         }
     }

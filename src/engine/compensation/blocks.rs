@@ -139,8 +139,11 @@ impl Interpreter<'_> {
 
     /// The rules of a line that its block has no words for.
     fn line_cites(&self, cites: Cites) -> Cites {
-        let cites =
-            cites.and(self.lap.cites()).and(cite::COORD_03).and(if self.state.incremental { cite::ABS_02 } else { cite::ABS_01 });
+        let cites = cites.and(self.lap.cites()).and(cite::COORD_03).and(if self.state.incremental {
+            cite::ABS_02
+        } else {
+            cite::ABS_01
+        });
         if self.state.motion == 0 {
             cites.and(cite::G00_01)
         } else {

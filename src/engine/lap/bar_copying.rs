@@ -83,7 +83,8 @@ impl Interpreter<'_> {
             let level = copying.level(job, times);
             self.go_before(job, (&mut count, highest), (level, copying.before, rules::AP5_02), sink)?;
             let start = job.axes.spot(job.axes.point(level, copying.before));
-            let point = Meeting { run: Coordinate::whole(start.run), height: Coordinate::whole(start.height) };
+            let point =
+                Meeting { run: Coordinate::whole(start.run), height: Coordinate::whole(start.height) };
             let leave = Leave { times, point, blank: 0, contour: 0, at_joint: false, root: None };
             let own = rules::AP5_03.and_if(copying.moved, rules::AP5_01);
             highest = Some(self.cut_front(job, &copying.front, &count, (&leave, 0, own), sink)?);
@@ -247,13 +248,7 @@ impl Interpreter<'_> {
 
 impl Front {
     /// The highest height of a way along the lowered blank, from a point and one of its elements on.
-    fn highest(
-        &self,
-        leave: &Leave,
-        first: usize,
-        arrival: &Arrival,
-        slow: &mut SlowPaths,
-    ) -> Coordinate {
+    fn highest(&self, leave: &Leave, first: usize, arrival: &Arrival, slow: &mut SlowPaths) -> Coordinate {
         let drop = self.drop(leave.times);
         let mut highest = leave.point.height.max(arrival.point.height, slow);
         for (number, element) in self.elements.iter().enumerate().skip(first) {
@@ -263,9 +258,12 @@ impl Front {
             if number < arrival.element {
                 highest = highest.max(Coordinate::whole(self.end_height(element) - drop), slow);
             }
-            let Some((run, top)) = self.blank.span_of(number).and_then(super::graph::Span::top) else { continue };
+            let Some((run, top)) = self.blank.span_of(number).and_then(super::graph::Span::top) else {
+                continue;
+            };
             let begun = number > first || leave.point.run.cmp_whole(run, slow) == Ordering::Less;
-            let passed = number < arrival.element || arrival.point.run.cmp_whole(run, slow) == Ordering::Greater;
+            let passed =
+                number < arrival.element || arrival.point.run.cmp_whole(run, slow) == Ordering::Greater;
             if begun && passed {
                 highest = highest.max(Coordinate::Value(top.plus(-drop)), slow);
             }

@@ -88,7 +88,11 @@ impl Interpreter<'_> {
         let found = self.read(slot, Turn::Named);
         self.place = slot.place;
         let mut code = None;
-        if found? && !slot.parsed.skipped && slot.parsed.control.is_none() && !self.is_turret_block(&slot.parsed) {
+        if found?
+            && !slot.parsed.skipped
+            && slot.parsed.control.is_none()
+            && !self.is_turret_block(&slot.parsed)
+        {
             self.inch_block = slot.parsed.has_length && self.units.inch;
             self.evaluate(slot, sink)?;
             let before = Before { motion: self.state.motion, after_angle: false, left_over: false };
@@ -109,7 +113,11 @@ impl Interpreter<'_> {
     }
 
     /// The next block of a definition that is read or carried out.
-    pub(super) fn read_contour_block(&mut self, slot: &mut Slot, sink: &mut impl Sink) -> Result<bool, Fault> {
+    pub(super) fn read_contour_block(
+        &mut self,
+        slot: &mut Slot,
+        sink: &mut impl Sink,
+    ) -> Result<bool, Fault> {
         if self.compensation.acts() {
             self.compensation.begin_block();
         }

@@ -56,9 +56,8 @@ impl Interpreter<'_> {
             return Ok(());
         }
         let feeds = words.has(Address::F) || words.has(Address::S);
-        self.lap.cites = cite::LAPC_06
-            .and_if(feeds, cite::LAP_07)
-            .and_if(self.state.compensation != 40, cite::LAP_16);
+        self.lap.cites =
+            cite::LAPC_06.and_if(feeds, cite::LAP_07).and_if(self.state.compensation != 40, cite::LAP_16);
         Ok(())
     }
 

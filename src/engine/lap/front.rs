@@ -125,9 +125,7 @@ impl Front {
     fn least_drop(&self, blank: Value, contour: Value, slow: &mut SlowPaths) -> i64 {
         let gap = blank.estimate() - contour.estimate();
         let mut times = multiple(gap, self.depth).max(1);
-        let mut reaches = |times: i64| {
-            blank.plus(-self.drop(times)).cmp(contour, slow) != Ordering::Greater
-        };
+        let mut reaches = |times: i64| blank.plus(-self.drop(times)).cmp(contour, slow) != Ordering::Greater;
         while times > 1 && reaches(times - 1) {
             times -= 1;
         }
@@ -211,7 +209,8 @@ impl Front {
         let mut span = Span { circle: None, ..*span };
         (span.from.height, span.to.height) = (self.floor, self.floor);
         // The contour may begin before the level does.
-        span.from.run = span.from.run.min(self.contour.joints.first().map_or(span.from.run, |joint| joint.run));
+        span.from.run =
+            span.from.run.min(self.contour.joints.first().map_or(span.from.run, |joint| joint.run));
         Some(span)
     }
 
@@ -375,9 +374,7 @@ impl Front {
             is_first = false;
             let next = match contour {
                 None => self.contour.joints.first().filter(|joint| joint.run == end).map(|_| 0),
-                Some(contour) => {
-                    piece.filter(|piece| piece.to.run == end).map(|_| contour + 1)
-                }
+                Some(contour) => piece.filter(|piece| piece.to.run == end).map(|_| contour + 1),
             };
             let is_end = next.is_some_and(|next| next + 1 >= self.contour.joints.len());
             let wall = match (next.and_then(|next| self.contour.joints.get(next)), piece) {

@@ -27,6 +27,8 @@ pub struct Change {
     pub place: i64,
     pub depth: i64,
     pub feed: Option<StoredFeed>,
+    /// Whether they are others than D and F.
+    pub differs: bool,
 }
 
 /// Depth and feed of a pass.
@@ -73,14 +75,10 @@ impl Job {
     /// Depth and feed below a level.
     pub fn below(&self, level: i64) -> Cut {
         let sense = self.axes.infeed;
-        let reached = |change: &&Change| {
-            i128::from(sense) * (i128::from(level) - i128::from(change.place)) <= 0
-        };
+        let reached =
+            |change: &&Change| i128::from(sense) * (i128::from(level) - i128::from(change.place)) <= 0;
         match self.changes.iter().flatten().find(reached) {
-            Some(change) => {
-                let differs = change.depth != self.depth || change.feed != self.feed;
-                Cut { depth: change.depth, feed: change.feed, differs }
-            }
+            Some(change) => Cut { depth: change.depth, feed: change.feed, differs: change.differs },
             None => Cut { depth: self.depth, feed: self.feed, differs: false },
         }
     }
@@ -199,8 +197,14 @@ impl Interpreter<'_> {
         let feed_a = feed(Address::FA, first_feed, job.feed)?;
         let depth_b = words.get(Address::DB).unwrap_or(depth_a);
         let feed_b = feed(Address::FB, second_feed, feed_a)?;
-        let a = words.get(first).map(|place| Change { place, depth: depth_a, feed: feed_a });
-        let b = words.get(second).map(|place| Change { place, depth: depth_b, feed: feed_b });
+        let in_force = |feed: Option<StoredFeed>| {
+            feed.and_then(|feed| feed.values.get(usize::from(!self.state.per_minute)).copied())
+        };
+        let change = |address, depth, feed| {
+            let differs = depth != job.depth || in_force(feed) != in_force(job.feed);
+            words.get(address).map(|place| Change { place, depth, feed, differs })
+        };
+        let (a, b) = (change(first, depth_a, feed_a), change(second, depth_b, feed_b));
         let mut before = job.axes.split(job.start).0;
         for (address, change) in [(first, a), (second, b)] {
             let Some(change) = change else { continue };
@@ -276,9 +280,7 @@ fn check_axis_words(words: &Words, code: Code, along: bool) -> Result<(), Fault>
         _ => return Ok(()),
     };
     match words.order().iter().find(|address| address.bit() & set != 0) {
-        Some(address) => {
-            Err(Fault::about(AlarmName::WordWithoutFunction, rule, Label::new(address.text())))
-        }
+        Some(address) => Err(Fault::about(AlarmName::WordWithoutFunction, rule, Label::new(address.text()))),
         None => Ok(()),
     }
 }
@@ -288,7 +290,8 @@ fn check_outlines(job: &Job, code: Code, blank: bool) -> Result<(), Fault> {
     if code == Code::Thread || code == Code::Copy && !blank {
         return Ok(());
     }
-    let backward = !job.contour.runs_forward() || job.blank.as_ref().is_some_and(|blank| !blank.runs_forward());
+    let backward =
+        !job.contour.runs_forward() || job.blank.as_ref().is_some_and(|blank| !blank.runs_forward());
     if backward && code == Code::Copy {
         return Fault::raise(AlarmName::ContourDirection, rule_ids::AP5_08);
     }

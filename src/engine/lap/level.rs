@@ -72,9 +72,8 @@ impl Interpreter<'_> {
         }
         self.begin_pass(count, pass.cut.differs)?;
         let own = if near { rules::AP4_03 } else { rules::AP4_02 };
-        let own = own
-            .and_if(!is_first, rules::AP4_04)
-            .and(if pass.last { rules::AP1_08 } else { rules::LAP_05 });
+        let own =
+            own.and_if(!is_first, rules::AP4_04).and(if pass.last { rules::AP1_08 } else { rules::LAP_05 });
         let line = Way::Line(pass.cut.feed);
         let way = if job.first_rapid || pass.last { Way::Rapid } else { line };
         self.go(job, count, (Part::Infeed, way, end), own, sink)?;
@@ -142,13 +141,7 @@ impl Interpreter<'_> {
 
     /// Where a level is cut between two runs: at the stock and at both ends, a clearance further each, without gaps
     /// that those close (E100L-AP4-05).
-    fn stretches(
-        &mut self,
-        job: &Job,
-        blank: &Outline,
-        level: i64,
-        (from, to): Stretch,
-    ) -> Vec<Stretch> {
+    fn stretches(&mut self, job: &Job, blank: &Outline, level: i64, (from, to): Stretch) -> Vec<Stretch> {
         let slow = &mut self.slow;
         if from.cmp(to, slow) != Ordering::Less {
             return vec![(from, to)];

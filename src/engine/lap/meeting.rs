@@ -81,9 +81,9 @@ impl Coordinate {
             true => (centre.run, normal.run, -normal.height),
             false => (centre.height, normal.height, normal.run),
         };
-        let length = integer(normal.run).times(&integer(normal.run)).plus(&{
-            integer(normal.height).times(&integer(normal.height))
-        });
+        let length = integer(normal.run)
+            .times(&integer(normal.run))
+            .plus(&{ integer(normal.height).times(&integer(normal.height)) });
         let rest = integer(square).times(&length).minus(&integer(distance).times(&integer(distance)));
         let foot = integer(along).times(&integer(distance));
         let aside = integer(side * across).times(&rest.root());
@@ -166,8 +166,7 @@ fn on_line(circle: Circle, from: Spot, to: Spot) -> Meetings {
 }
 
 fn circles(circle: Circle, other: Circle) -> Meetings {
-    let (run, height) =
-        (other.centre.run - circle.centre.run, other.centre.height - circle.centre.height);
+    let (run, height) = (other.centre.run - circle.centre.run, other.centre.height - circle.centre.height);
     if (run, height) == (0, 0) {
         return Meetings::default();
     }

@@ -194,3 +194,6 @@ fn malformed(rule: RuleId, detail: Label) -> Fault {
 fn unspecified(rule: RuleId, detail: Label) -> Fault {
     Fault::about(AlarmName::Unspecified, rule, detail)
 }
+
+#[cfg(test)]
+mod tests;

@@ -178,8 +178,7 @@ impl Outline {
 
     fn add_pieces(&mut self, number: usize, element: &Element) {
         let (from, to) = (self.axes.spot(element.from), self.axes.spot(element.to));
-        let mut piece =
-            Piece { element: number, from, to, from_top: false, to_top: false, circle: None };
+        let mut piece = Piece { element: number, from, to, from_top: false, to_top: false, circle: None };
         if let Some((sense, centre)) = element.arc {
             let centre = self.axes.spot(centre);
             let (along, across) = (from.run - centre.run, from.height - centre.height);
@@ -193,7 +192,12 @@ impl Outline {
             piece.circle = Some(circle);
             if from.run < centre.run && centre.run < to.run {
                 self.pieces.push(Piece { to: centre, to_top: true, ..piece });
-                piece = Piece { from: centre, from_top: true, circle: Some(Circle { side: 1, ..circle }), ..piece };
+                piece = Piece {
+                    from: centre,
+                    from_top: true,
+                    circle: Some(Circle { side: 1, ..circle }),
+                    ..piece
+                };
             }
         }
         self.pieces.push(piece);

@@ -1,8 +1,8 @@
 //! Definitions that the run meets in its order, and blanks before a contour that G87 carries out (execution of LAP, 4
 //! and 6; E100L-LAP-10, E100L-LAP-02).
 
-use turnspec_oracle::vocabulary::{Label, Place};
 use turnspec_oracle::vocabulary::rule_ids::*;
+use turnspec_oracle::vocabulary::{Label, Place};
 
 use crate::engine::Interpreter;
 use crate::engine::fault::Fault;
@@ -25,11 +25,7 @@ impl Interpreter<'_> {
     }
 
     /// The next block of a definition that is passed over, which begins at a place.
-    pub(super) fn pass_block(
-        &mut self,
-        slot: &mut Slot,
-        begin: Place,
-    ) -> Result<(), Fault> {
+    pub(super) fn pass_block(&mut self, slot: &mut Slot, begin: Place) -> Result<(), Fault> {
         let found = self.read(slot, Turn::Within);
         self.place = slot.place;
         if !found? {

@@ -1,8 +1,8 @@
 //! Reading a definition (execution of LAP, 5): its blocks are carried out on a copy of the state, and their motions are
 //! recorded.
 
-use turnspec_oracle::vocabulary::{Label, Sink};
 use turnspec_oracle::vocabulary::rule_ids::*;
+use turnspec_oracle::vocabulary::{Label, Sink};
 
 use crate::engine::Interpreter;
 use crate::engine::barriers::Watch;
@@ -145,12 +145,8 @@ impl Interpreter<'_> {
     fn block_mark(&self, has_feed: bool) -> BlockMark {
         let compensated = self.state.compensation != 40;
         match self.lap.definition() {
-            Some(definition) if definition.cuts_thread() => {
-                BlockMark { feed: self.state.feed, compensated }
-            }
-            Some(definition) if !has_feed => {
-                BlockMark { feed: definition.marks.present().feed, compensated }
-            }
+            Some(definition) if definition.cuts_thread() => BlockMark { feed: self.state.feed, compensated },
+            Some(definition) if !has_feed => BlockMark { feed: definition.marks.present().feed, compensated },
             _ => BlockMark { feed: self.lap.feed, compensated },
         }
     }

@@ -1,7 +1,7 @@
 //! Taking note of the motions of a definition as their events come (execution of LAP, 5, "Steps").
 
-use turnspec_oracle::vocabulary::{Action, Event, Motion, RuleSet, Sink};
 use turnspec_oracle::vocabulary::rule_ids::*;
+use turnspec_oracle::vocabulary::{Action, Event, Motion, RuleSet, Sink};
 
 use crate::engine::Interpreter;
 use crate::engine::arithmetic::plane::Point;
@@ -80,8 +80,5 @@ fn end_of(motion: &Motion) -> Point {
 
 /// Whether an event comes although the definition is only read.
 fn is_shown(action: &Action) -> bool {
-    matches!(
-        action,
-        Action::Variable { .. } | Action::Call { .. } | Action::Return | Action::Alarm { .. }
-    )
+    matches!(action, Action::Variable { .. } | Action::Call { .. } | Action::Return | Action::Alarm { .. })
 }

@@ -1,8 +1,6 @@
 //! The motions of a rough cycle: tests, event, rules (execution of LAP, 13 and 14).
 
-use turnspec_oracle::vocabulary::{
-    Action, Length, Motion, Part, ReadingSet, RuleSet, Sense, Sink,
-};
+use turnspec_oracle::vocabulary::{Action, Length, Motion, Part, ReadingSet, RuleSet, Sense, Sink};
 
 use crate::engine::Interpreter;
 use crate::engine::arithmetic::frame::to_machine;

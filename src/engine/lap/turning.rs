@@ -321,8 +321,7 @@ impl Interpreter<'_> {
             }
             let cut = job.below(recess.level);
             let level = recess.level.saturating_sub(job.axes.infeed * cut.depth);
-            let pass =
-                Pass { upper: recess.level, level, cut, deeper: true, last: false, to_end: false };
+            let pass = Pass { upper: recess.level, level, cut, deeper: true, last: false, to_end: false };
             self.begin_pass(count, cut.differs)?;
             let mut met = Vec::new();
             let end = self.run_along(job, &pass, count, recess.place, &mut met, sink)?;

@@ -22,8 +22,8 @@ use super::fault::Fault;
 use super::words::{Address, Words};
 use axis::Axes;
 pub use depths::{Depth, Depths, Heights};
-pub use motion::Cited;
 use infeed::{Infeed, Pattern};
+pub use motion::Cited;
 use single::Cycle;
 
 /// Whether a motion mode cuts threads.
