@@ -52,12 +52,6 @@ criteria! {
     Alarm "the trace ends in an alarm" |has| has.kind(|action| matches!(action, Action::Alarm(_)));
     AnyAngle "address A; a rule of ANG" |has| has.letter('A') || has.area(&["ANG"]);
     Arc "G02, G03; an `arc` event" |has| has.g(&[2, 3]) || has.kind(|action| matches!(action, Action::Arc { .. }));
-    ContourGeneration "G101 to G103, G132, G133, G136, G137; a rule of CGF, CGS, CSC" |has|
-        has.g(&[101, 102, 103, 132, 133, 136, 137]) || has.area(&["CGF", "CGS", "CSC"]);
-    Lap "G80 to G88; a rule of LAP" |has| has.g(&[80, 81, 82, 83, 84, 85, 86, 87, 88]) || has.area(&["LAP"]);
-    DrivenCycle "G178 to G190; a rule of MCYC" |has| has.words.g.iter().any(|code| matches!(code, 178..=190))
-        || has.area(&["MCYC"]);
-    Grooving "G73, G74, G77, G78; a rule of GRV, TAP" |has| has.g(&[73, 74, 77, 78]) || has.area(&["GRV", "TAP"]);
     Aux "an `aux` event" |has| has.kind(|action| matches!(action, Action::Aux { .. }));
     Barrier "M21, M25" |has| has.m(&[21, 25]);
     BlockDelete "a slash in front of a block or behind its sequence name" |has| has.words.slash;
@@ -68,15 +62,21 @@ criteria! {
     Comment "a parenthesis" |has| has.words.comment;
     Coolant "a `coolant` event" |has| has.kind(|action| matches!(action, Action::Coolant { .. }));
     Communication "READ, WRITE, GET, PUT" |has| ["READ", "WRITE", "GET", "PUT"].iter().any(|name| has.name(name));
+    ContourGeneration "G101 to G103, G132, G133, G136, G137; a rule of CGF, CGS, CSC" |has|
+        has.g(&[101, 102, 103, 132, 133, 136, 137]) || has.area(&["CGF", "CGS", "CSC"]);
     ControlStatement "GOTO, IF" |has| has.name("GOTO") || has.name("IF");
     CuttingSpeed "G96" |has| has.g(&[96]);
+    DrivenCycle "G178 to G190; a rule of MCYC" |has| has.words.g.iter().any(|code| matches!(code, 178..=190))
+        || has.area(&["MCYC"]);
     Dwell "G04" |has| has.g(&[4]);
     Expression "an operator, a function, a bracket other than a plain subscript, a variable as a value"
         |has| has.words.expression;
     Feed "address F; G94, G95" |has| has.letter('F') || has.g(&[94, 95]);
     Function "a name with brackets that is no variable" |has| has.words.function;
     Gear "M40 to M44; gears in the set-up" |has| has.m(&[40, 41, 42, 43, 44]) || !has.setup.spindle.gear.is_empty();
+    Grooving "G73, G74, G77, G78; a rule of GRV, TAP" |has| has.g(&[73, 74, 77, 78]) || has.area(&["GRV", "TAP"]);
     Incremental "G91" |has| has.g(&[91]);
+    Lap "G80 to G88; a rule of LAP" |has| has.g(&[80, 81, 82, 83, 84, 85, 86, 87, 88]) || has.area(&["LAP"]);
     Limits "travel limits in the set-up; a rule of LIM" |has| [has.setup.limits.x, has.setup.limits.z, has.setup.limits.w].iter().any(|limit| *limit != Limit::default())
         || has.area(&["LIM"]);
     InputOutput "a variable VDIN, VDOUT, VIRD, VORD" |has| ["VDIN", "VDOUT", "VIRD", "VORD"]

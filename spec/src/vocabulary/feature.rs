@@ -32,8 +32,6 @@ features! {
     AnyAngle "any-angle"
     /// Circular motion.
     Arc "arc"
-    /// Contour generation and coordinate conversion.
-    ContourGeneration "contour-generation"
     /// M codes without an event of their own.
     Aux "aux"
     /// The chuck and tailstock barriers.
@@ -46,22 +44,20 @@ features! {
     CAxis "c-axis"
     /// G75.
     Chamfer "chamfer"
-    /// LAP, the lathe auto-programming function.
-    Lap "lap"
-    /// Cycles of driven tools.
-    DrivenCycle "driven-cycle"
-    /// Grooving, drilling and tapping cycles.
-    Grooving "grooving"
     /// Comments.
     Comment "comment"
     /// Coolant on and off.
     Coolant "coolant"
     /// READ, WRITE, GET and PUT.
     Communication "communication"
+    /// Contour generation and coordinate conversion.
+    ContourGeneration "contour-generation"
     /// GOTO and IF.
     ControlStatement "control-statement"
     /// G96.
     CuttingSpeed "cutting-speed"
+    /// Cycles of driven tools.
+    DrivenCycle "driven-cycle"
     /// G04.
     Dwell "dwell"
     /// Expressions.
@@ -72,8 +68,12 @@ features! {
     Function "function"
     /// Gear codes and the speeds of the gears.
     Gear "gear"
+    /// Grooving, drilling and tapping cycles.
+    Grooving "grooving"
     /// G91.
     Incremental "incremental"
+    /// LAP, the lathe auto-programming function.
+    Lap "lap"
     /// Travel limits.
     Limits "limits"
     /// Input and output variables.
