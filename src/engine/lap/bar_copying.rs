@@ -10,7 +10,8 @@ use crate::engine::arithmetic::plane::Point;
 use crate::engine::exact::SlowPaths;
 use crate::engine::fault::Fault;
 
-use super::front::{Arrival, Front, Leave};
+use super::arrival::Arrival;
+use super::front::{Front, Leave};
 use super::graph::Graph;
 use super::job::Job;
 use super::meeting::{Coordinate, Meeting};

@@ -128,6 +128,9 @@ impl Interpreter<'_> {
             self.place = slot.place;
             self.note_block(slot);
             self.count_passed(slot)?;
+            if !self.lap.reads() {
+                self.check_common(&slot.words)?;
+            }
             self.inch_block = slot.parsed.has_length && self.units.inch;
             return Ok(true);
         }

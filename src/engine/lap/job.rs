@@ -11,8 +11,8 @@ use crate::engine::fault::Fault;
 use crate::engine::state::StoredFeed;
 use crate::engine::words::{Address, Words};
 
-use super::definition::{Course, Recorded};
-use super::outline::{Element, Outline};
+use super::definition::Course;
+use super::outline::{Outline, blank_elements, elements};
 use super::plane::Axes;
 use super::read::Reading;
 use super::rules::{self, Rules};
@@ -148,7 +148,7 @@ impl Interpreter<'_> {
             Code::Thread => Point::default(),
             _ => axes.point(axes.infeed * on_infeed, -axes.cutting * on_cutting),
         };
-        let elements = outline(first, contour).map(|element| element.moved(shift)).collect();
+        let moved = elements(first, contour).map(|element| element.moved(shift)).collect();
         let blank = reading.blank.then(|| {
             let elements = blank_elements(axes, first, end, &reading.definition.blank_motions);
             Outline::new(axes, first, elements)
@@ -159,7 +159,7 @@ impl Interpreter<'_> {
         let mut job = Job {
             axes,
             start,
-            contour: Outline::new(axes, first.plus(shift), elements),
+            contour: Outline::new(axes, first.plus(shift), moved),
             blank,
             depth: word(Address::D),
             feed: self.state.feed,
@@ -244,28 +244,6 @@ fn compare(first: i64, second: i64) -> i64 {
         Ordering::Equal => 0,
         Ordering::Greater => 1,
     }
-}
-
-/// The elements behind the first motion, which ends in a point.
-fn outline(first: Point, motions: &[Recorded]) -> impl Iterator<Item = Element> + '_ {
-    motions.iter().skip(1).scan(first, |from, motion| {
-        let element = Element::recorded(*from, motion);
-        *from = motion.end;
-        Some(element)
-    })
-}
-
-/// The elements of a blank between the start of the contour and its end (E100L-LAP-02).
-fn blank_elements(axes: Axes, start: Point, end: Point, motions: &[Recorded]) -> Vec<Element> {
-    let Some(first) = motions.first() else { return Vec::new() };
-    let mut elements = vec![Element::line(start, first.end)];
-    elements.extend(outline(first.end, motions));
-    let last = motions.last().map_or(first.end, |motion| motion.end);
-    if axes.spot(end).run >= axes.spot(last).run {
-        elements.push(Element::line(last, end));
-    }
-    elements.retain(|element| element.arc.is_some() || element.from != element.to);
-    elements
 }
 
 /// The words that belong to the other axis (E100L-LAPC-02, E100L-LAPC-07).

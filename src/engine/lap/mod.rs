@@ -2,6 +2,7 @@
 //! which definition is read, carried out or passed over.
 
 mod admit;
+mod arrival;
 mod bar_copying;
 mod call;
 mod check;
@@ -10,6 +11,7 @@ mod definition;
 mod finish;
 mod front;
 mod graph;
+mod home;
 mod job;
 mod level;
 mod meeting;
@@ -17,6 +19,7 @@ mod outline;
 mod pass_over;
 mod plane;
 mod read;
+mod recess;
 mod record;
 mod rules;
 mod threading;

@@ -269,3 +269,25 @@ impl Outline {
         self.first_pieces.get(element + 1).copied().unwrap_or(self.pieces.len())
     }
 }
+
+/// The elements behind the first motion, which ends in a point.
+pub fn elements(first: Point, motions: &[Recorded]) -> impl Iterator<Item = Element> + '_ {
+    motions.iter().skip(1).scan(first, |from, motion| {
+        let element = Element::recorded(*from, motion);
+        *from = motion.end;
+        Some(element)
+    })
+}
+
+/// The elements of a blank between the start of the contour and its end (E100L-LAP-02).
+pub fn blank_elements(axes: Axes, start: Point, end: Point, motions: &[Recorded]) -> Vec<Element> {
+    let Some(first) = motions.first() else { return Vec::new() };
+    let mut all = vec![Element::line(start, first.end)];
+    all.extend(elements(first.end, motions));
+    let last = motions.last().map_or(first.end, |motion| motion.end);
+    if axes.spot(end).run >= axes.spot(last).run {
+        all.push(Element::line(last, end));
+    }
+    all.retain(|element| element.arc.is_some() || element.from != element.to);
+    all
+}

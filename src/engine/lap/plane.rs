@@ -53,10 +53,13 @@ impl Axes {
         i128::from(self.cutting) * i128::from(cutting) * self.cutting_halves()
     }
 
-    /// A point of the plane.
+    /// A point of the plane, of at most 2^40 in either direction: what is beyond lies out of the range of every address,
+    /// and the bound keeps products in range.
     pub fn spot(self, point: Point) -> Spot {
+        const MOST: i128 = 1 << 40;
         let (infeed, cutting) = self.split(point);
-        Spot { run: self.run(cutting), height: self.height(infeed) }
+        let bounded = |value: i128| value.clamp(-MOST, MOST);
+        Spot { run: bounded(self.run(cutting)), height: bounded(self.height(infeed)) }
     }
 
     /// The coordinate on the cutting axis of a run, latched.

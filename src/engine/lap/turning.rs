@@ -31,16 +31,6 @@ pub struct Pass {
     pub to_end: bool,
 }
 
-/// A recess that a pass has met, which is still to be finished.
-#[derive(Clone, Copy, Debug)]
-struct Recess {
-    place: Place,
-    /// The level of the pass that has met it, and the one above.
-    level: i64,
-    upper: i64,
-    is_first: bool,
-}
-
 /// The number of the pass in progress, and whether its depth or feed is another.
 #[derive(Clone, Copy, Default, Debug)]
 pub struct Count {
@@ -163,7 +153,7 @@ impl Interpreter<'_> {
     }
 
     /// The run along the contour from a place; its last height if it ends in the end of the contour, or at its run.
-    fn run_along(
+    pub(super) fn run_along(
         &mut self,
         job: &Job,
         pass: &Pass,
@@ -231,7 +221,7 @@ impl Interpreter<'_> {
     }
 
     /// The relief behind a pass; behind the last one of a recess it is greater on X (E100L-AP1-12).
-    fn relieve(
+    pub(super) fn relieve(
         &mut self,
         job: &Job,
         pass: &Pass,
@@ -252,7 +242,7 @@ impl Interpreter<'_> {
 
     /// Above the highest point of the path of a pass from a place on, if that has ended at the end of the contour at a
     /// lower height.
-    fn clear_path(
+    pub(super) fn clear_path(
         &mut self,
         job: &Job,
         count: &Count,
@@ -268,7 +258,7 @@ impl Interpreter<'_> {
     }
 
     /// A little above a level.
-    fn clear_to(
+    pub(super) fn clear_to(
         &mut self,
         job: &Job,
         count: &Count,
@@ -295,75 +285,6 @@ impl Interpreter<'_> {
         let own = own.and_if(job.blank.is_some(), rules::AP4_06);
         self.rapid(job, count, (Part::Clear, job.axes.point(target, present_k), own), sink)
     }
-
-    /// The recesses that a pass has met, each to its bottom, those of its passes before the next one.
-    fn finish_recesses(
-        &mut self,
-        job: &Job,
-        pass: &Pass,
-        met: Vec<Place>,
-        count: &mut Count,
-        sink: &mut impl Sink,
-    ) -> Result<(), Fault> {
-        let contour = &job.contour;
-        let mut waiting = Vec::new();
-        add_recesses(&mut waiting, pass, met);
-        while let Some(recess) = waiting.pop() {
-            if !recess.is_first {
-                self.clear_to(job, count, recess.upper, rules::AP1_12, sink)?;
-            }
-            let own = rules::AP1_11.and_if(job.blank.is_some(), rules::AP4_06);
-            let point = contour.point(recess.place);
-            let (present_i, _) = job.axes.split(self.present());
-            let (_, k) = job.axes.split(point);
-            for end in [job.axes.point(present_i, k), job.axes.point(recess.level, k)] {
-                self.rapid(job, count, (Part::Return, end, own), sink)?;
-            }
-            let cut = job.below(recess.level);
-            let level = recess.level.saturating_sub(job.axes.infeed * cut.depth);
-            let pass = Pass { upper: recess.level, level, cut, deeper: true, last: false, to_end: false };
-            self.begin_pass(count, cut.differs)?;
-            let mut met = Vec::new();
-            let end = self.run_along(job, &pass, count, recess.place, &mut met, sink)?;
-            self.relieve(job, &pass, count, met.is_empty(), sink)?;
-            self.clear_path(job, count, end.map(|end| (recess.place, end)), sink)?;
-            add_recesses(&mut waiting, &pass, met);
-        }
-        Ok(())
-    }
-
-    /// The return to the AP start (E100L-LAP-06).
-    pub(super) fn go_home(&mut self, job: &Job, sink: &mut impl Sink) -> Result<(), Fault> {
-        if job.stays {
-            return Ok(());
-        }
-        let own = if job.blank.is_some() { rules::AP4_08 } else { rules::AP1_09 };
-        self.go_home_by(job, own.and(rules::LAP_06), sink)
-    }
-
-    /// The return to the AP start with rules of its own.
-    pub(super) fn go_home_by(&mut self, job: &Job, own: Rules, sink: &mut impl Sink) -> Result<(), Fault> {
-        let (start_i, _) = job.axes.split(job.start);
-        let (_, present_k) = job.axes.split(self.present());
-        let first = if job.first_rapid { job.start } else { job.axes.point(start_i, present_k) };
-        for end in [first, job.start] {
-            self.home_step(job, end, own, sink)?;
-        }
-        Ok(())
-    }
-
-    pub(super) fn home_step(
-        &mut self,
-        job: &Job,
-        end: Point,
-        own: Rules,
-        sink: &mut impl Sink,
-    ) -> Result<(), Fault> {
-        let (others, readings) = (RuleSet::EMPTY, ReadingSet::default());
-        let rules = job.every.and(own);
-        let step = Step { way: Way::Rapid, end, part: Part::Home, pass: None, rules, others, readings };
-        self.travel(&step, sink)
-    }
 }
 
 impl Job {
@@ -378,12 +299,4 @@ impl Job {
     pub fn lifted(&self, height: Value) -> i64 {
         self.axes.latch_height(height.plus(i128::from(SMALL_LIFT.0) * self.axes.infeed_halves()))
     }
-}
-
-/// Puts the recesses of a pass before those that wait already.
-fn add_recesses(waiting: &mut Vec<Recess>, pass: &Pass, met: Vec<Place>) {
-    let (level, upper) = (pass.level, pass.upper);
-    let recesses = met.into_iter().enumerate();
-    let recesses = recesses.map(|(number, place)| Recess { place, level, upper, is_first: number == 0 });
-    waiting.extend(recesses.rev());
 }

@@ -142,7 +142,7 @@ impl<'a> Task<'a> {
         self.steps = steps;
     }
 
-    /// Begins a pass of a compound thread cycle, which is a step of the run; false if none is left (E100L-GOTO-03).
+    /// Begins a pass of a cycle, which is a step of the run; false if none is left (E100L-GOTO-03).
     pub fn count_pass(&mut self) -> bool {
         self.steps.take(1)
     }
