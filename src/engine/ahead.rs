@@ -20,10 +20,12 @@ pub struct Need {
     pub only_angle: bool,
     /// Its place.
     pub place: Place,
+    /// Whether it ends the contour to which it belongs.
+    pub last: bool,
 }
 
-const ALLOWED: u32 = Address::set(&[Address::X, Address::Z, Address::A, Address::L, Address::F, Address::S]);
-const CORNER: u32 = Address::set(&[Address::X, Address::Z, Address::A]);
+const ALLOWED: u64 = Address::set(&[Address::X, Address::Z, Address::A, Address::L, Address::F, Address::S]);
+const CORNER: u64 = Address::set(&[Address::X, Address::Z, Address::A]);
 
 impl Interpreter<'_> {
     /// Makes the next block (0) or the one after it (1) ready, in a motion mode.
@@ -54,9 +56,17 @@ impl Interpreter<'_> {
     ) -> Result<(), Fault> {
         let rule = if need.chamfer { ANG_05 } else { ANG_06 };
         let unfit = Fault::new(AlarmName::AngleLookahead, rule);
+        if need.last {
+            self.fault_place = Some(need.place);
+            return Err(unfit);
+        }
         let found = self.read(slot, Turn::Ahead);
         self.fault_place = Some(if planted::is(Bug::AlarmOneBlockEarly) { need.place } else { slot.place });
         let found = found?;
+        let defines = self.lap.defines();
+        if found && defines {
+            self.admit_parsed(&slot.parsed)?;
+        }
         let control = slot.parsed.control.filter(|_| found);
         if let Some(control) = control.filter(|control| !control.is_transfer()) {
             return Err(Fault::about(AlarmName::Unspecified, rule, control.word()));
@@ -66,6 +76,9 @@ impl Interpreter<'_> {
             return Err(unfit);
         }
         self.evaluate(slot, sink)?;
+        if defines {
+            self.admit_words(&slot.parsed, &slot.words)?;
+        }
         let words = &slot.words;
         // The needing block moves, so that nothing is left over of an ended compensation.
         let before = Before { motion, after_angle: need.only_angle, left_over: false };
@@ -74,7 +87,7 @@ impl Interpreter<'_> {
         if need.chamfer && (plan.motion != 1 || plan.one_shot == OneShot::BeginConversion) {
             return Fault::raise(AlarmName::ChamferCorner, ANG_07);
         }
-        if plan.motion > 1 || !is_fit(words, need) {
+        if plan.motion > 1 || !is_fit(words, need, defines) {
             return Err(unfit);
         }
         self.fault_place = None;
@@ -83,12 +96,14 @@ impl Interpreter<'_> {
 }
 
 /// Whether a block holds what a corner needs and nothing that disturbs it.
-fn is_fit(words: &Words, need: Need) -> bool {
+fn is_fit(words: &Words, need: Need, in_contour: bool) -> bool {
     let codes = words.g_codes().iter().all(|code| match code {
         1 | 75 | 76 | 90 | 91 | 94 | 95 => true,
         0 => !need.chamfer,
+        80 => in_contour,
         _ => false,
     });
     let complete = words.present() & CORNER == CORNER;
-    codes && words.present() & !ALLOWED == 0 && words.has_any(CORNER) && (complete || !need.only_angle)
+    let allowed = ALLOWED | if in_contour { Address::E.bit() } else { 0 };
+    codes && words.present() & !allowed == 0 && words.has_any(CORNER) && (complete || !need.only_angle)
 }

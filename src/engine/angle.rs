@@ -153,6 +153,12 @@ impl Interpreter<'_> {
         Point { x: self.state.program(X), z: self.state.program(Z) }
     }
 
+    /// The present point in the coordinates of words: those of the contour that G87 carries out, or program coordinates.
+    #[inline]
+    pub(super) fn origin(&self) -> Point {
+        self.present().minus(self.lap.shift())
+    }
+
     /// A block with G00 or G01 and no chamfer.
     pub(super) fn line(&mut self, slot: &Slot, plan: Plan, sink: &mut impl Sink) -> Result<(), Fault> {
         let words = &slot.words;
@@ -178,7 +184,7 @@ impl Interpreter<'_> {
         let c_word = words.get(Address::C);
         let c = (turns.is_some() || c_word.is_some()).then(|| (c_word, turns.unwrap_or_default()));
         let kind = if plan.motion == 0 { Kind::Rapid } else { Kind::Linear };
-        self.perform(Element { kind, x, z, w, c, cites, readings, limited: false }, sink)
+        self.perform_placed(Element { kind, x, z, w, c, cites, readings, limited: false }, sink)
     }
 
     /// Where the line of the block in progress ends.
@@ -191,7 +197,7 @@ impl Interpreter<'_> {
         sink: &mut impl Sink,
     ) -> Result<LineEnd, Fault> {
         let words = &slot.words;
-        let present = self.present();
+        let present = self.origin();
         let incremental = self.state.incremental;
         let course = Course::of(words, incremental);
         let mut end = LineEnd {
@@ -223,7 +229,8 @@ impl Interpreter<'_> {
             }
         }
         if let Some(angle) = course.only_angle() {
-            let need = Need { chamfer: plan.one_shot.is_chamfer(), only_angle: true, place: slot.place };
+            let chamfer = plan.one_shot.is_chamfer();
+            let need = Need { chamfer, only_angle: true, place: slot.place, last: words.has_g(80) };
             self.look_ahead(0, need, self.state.motion, sink)?;
             let next = Course::of(&self.ahead[0].words, Course::mode(&self.ahead[0].words, incremental));
             let (corner, beyond) = self.crossing(end.anchor, angle, &next)?;

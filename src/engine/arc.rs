@@ -66,7 +66,7 @@ impl Interpreter<'_> {
     pub(super) fn arc(&mut self, words: &Words, motion: u16, sink: &mut impl Sink) -> Result<(), Fault> {
         self.state.base = self.state.base.filter(|_| planted::is(Bug::CornerBaseKept));
         let sense = if motion == 2 { Sense::Clockwise } else { Sense::CounterClockwise };
-        let start = self.present();
+        let start = self.origin();
         let incremental = self.state.incremental;
         let from = |reference: i64, word: i64| coordinate(reference, word, incremental);
         let x = words.get(Address::X).map(|word| from(start.x, word));
@@ -94,7 +94,7 @@ impl Interpreter<'_> {
             readings: arc.readings,
             limited: false,
         };
-        self.perform(element, sink)
+        self.perform_placed(element, sink)
     }
 
     fn arc_by_centre(

@@ -9,6 +9,7 @@ use super::compensation::Change;
 use super::contour;
 use super::cycle::{self, CycleBlock};
 use super::fault::Fault;
+use super::lap::Code;
 use super::planted::{self, Bug};
 use super::thread;
 use super::words::{Address, Parsed, Words};
@@ -40,6 +41,8 @@ pub enum OneShot {
     TapRight,
     /// G78.
     TapLeft,
+    /// A definition of LAP, or a call of one.
+    Lap(Code),
 }
 
 impl OneShot {
@@ -60,7 +63,8 @@ impl OneShot {
             Some(76) => Self::Rounding,
             Some(136) => Self::EndConversion,
             Some(137) => Self::BeginConversion,
-            _ => Self::None,
+            Some(code) => Code::of(code).map_or(Self::None, Self::Lap),
+            None => Self::None,
         }
     }
 
@@ -127,19 +131,19 @@ impl Plan {
     }
 }
 
-const AXES: u32 =
+const AXES: u64 =
     Address::set(&[Address::X, Address::Y, Address::Z, Address::C, Address::W, Address::A, Address::QA]);
-const TRIGGERS: u32 = Address::set(&[Address::X, Address::Y, Address::Z]);
-const ARC: u32 = Address::set(&[Address::I, Address::K, Address::L, Address::Calrg]);
-const IMAGINARY: u32 = Address::set(&[Address::I, Address::K]);
-const ALWAYS: u32 = Address::set(&[Address::F, Address::S, Address::T, Address::SB, Address::SA, Address::P]);
-const ARC_TAKES: u32 =
+const TRIGGERS: u64 = Address::set(&[Address::X, Address::Y, Address::Z]);
+const ARC: u64 = Address::set(&[Address::I, Address::K, Address::L, Address::Calrg]);
+const IMAGINARY: u64 = Address::set(&[Address::I, Address::K]);
+const ALWAYS: u64 = Address::set(&[Address::F, Address::S, Address::T, Address::SB, Address::SA, Address::P]);
+const ARC_TAKES: u64 =
     Address::set(&[Address::X, Address::Z, Address::I, Address::K, Address::L, Address::Calrg]);
-const CHAMFER_TAKES: u32 = Address::set(&[Address::X, Address::Z, Address::A, Address::L]);
-const SKIP_TAKES: u32 =
+const CHAMFER_TAKES: u64 = Address::set(&[Address::X, Address::Z, Address::A, Address::L]);
+const SKIP_TAKES: u64 =
     Address::set(&[Address::Z, Address::W, Address::D, Address::L, Address::PZ, Address::PW]);
-const LIMIT_TAKES: u32 = Address::set(&[Address::PZ, Address::PW]);
-const SHIFT_TAKES: u32 = Address::set(&[Address::X, Address::Z, Address::C, Address::W]);
+const LIMIT_TAKES: u64 = Address::set(&[Address::PZ, Address::PW]);
+const SHIFT_TAKES: u64 = Address::set(&[Address::X, Address::Z, Address::C, Address::W]);
 
 /// What the blocks before one leave to it.
 #[derive(Clone, Copy)]
@@ -161,6 +165,13 @@ impl Interpreter<'_> {
         let contours = contour::is_mode(motion);
         let one_shot = OneShot::of(words);
         check_alone(parsed, words)?;
+        let lap = match one_shot {
+            OneShot::Lap(code) => Some(code),
+            _ => None,
+        };
+        if let Some(code) = lap {
+            self.check_alone_in_lap(parsed, code)?;
+        }
         let cycle = if self.state.cycle.concerns(words) {
             self.check_cycle_mode(parsed, words)?
         } else {
@@ -177,6 +188,9 @@ impl Interpreter<'_> {
         let speed_mode = words.has_g(96) || words.has_g(97);
         if speed_mode && (!words.has(Address::S) || one_shot == OneShot::ZeroShift) {
             return Fault::raise(AlarmName::CuttingSpeedMissing, CSS_03);
+        }
+        if let Some(code) = lap {
+            self.check_speed_in_lap(words, code)?;
         }
         let arc = matches!(motion, 2 | 3);
         let moving_words = match () {
@@ -202,6 +216,13 @@ impl Interpreter<'_> {
             self.check_conversion(words, (one_shot, motion), needs_code)?;
         }
         self.check_one_shot(words, one_shot, motion, after_angle)?;
+        match lap {
+            Some(code) => self.check_call(parsed, words, code, left_over)?,
+            None if self.lap.is_active() || words.code_of(GGroup::OneShot) == Some(80) => {
+                self.check_contour_block(words)?;
+            }
+            None => {}
+        }
         if free && moves {
             if arc {
                 check_arc(words)?;
@@ -216,7 +237,11 @@ impl Interpreter<'_> {
                 return Fault::raise(AlarmName::AxisMissing, AXIS_01);
             }
         }
-        check_functions(words, one_shot, motion, (compensation, converted))?;
+        self.check_change_points(words, lap)?;
+        match lap {
+            Some(code) => self.check_words_of_call(parsed, words, code)?,
+            None => check_functions(words, one_shot, motion, (compensation, converted), self.lap.defines())?,
+        }
         if bores {
             self.check_bore_compensation(words, left_over)?;
         }
@@ -251,7 +276,7 @@ impl Interpreter<'_> {
         let missing = |rule| Fault::raise(AlarmName::WordMissing, rule);
         let w_axis = self.setup.options.w_axis;
         match one_shot {
-            OneShot::None | OneShot::TorqueOff | OneShot::EndConversion => Ok(()),
+            OneShot::None | OneShot::TorqueOff | OneShot::EndConversion | OneShot::Lap(_) => Ok(()),
             OneShot::BeginConversion => self.check_conversion_start(words),
             OneShot::Dwell if !words.has(Address::F) => missing(DWELL_01),
             OneShot::Dwell => Ok(()),
@@ -408,6 +433,7 @@ fn check_functions(
     one_shot: OneShot,
     motion: u16,
     (compensation, converted): (Change, bool),
+    in_contour: bool,
 ) -> Result<(), Fault> {
     let takes = match one_shot {
         OneShot::None if matches!(motion, 2 | 3) => ARC_TAKES,
@@ -417,7 +443,7 @@ fn check_functions(
         }
         OneShot::None if compensation != Change::None => AXES | IMAGINARY,
         OneShot::None => AXES,
-        OneShot::Dwell | OneShot::TorqueOff | OneShot::EndConversion => 0,
+        OneShot::Dwell | OneShot::TorqueOff | OneShot::EndConversion | OneShot::Lap(_) => 0,
         OneShot::BeginConversion => contour::START_TAKES,
         OneShot::TorqueSkip => SKIP_TAKES,
         OneShot::TorqueLimit => LIMIT_TAKES,
@@ -428,11 +454,11 @@ fn check_functions(
         OneShot::GrooveAcross | OneShot::GrooveAlong => cycle::GROOVE_TAKES,
         OneShot::TapRight | OneShot::TapLeft => cycle::TAP_TAKES,
     };
-    check_taken(words, takes)
+    check_taken(words, takes | if in_contour { Address::E.bit() } else { 0 })
 }
 
 /// The first word in written order that is not one of a set.
-pub(super) fn check_taken(words: &Words, takes: u32) -> Result<(), Fault> {
+pub(super) fn check_taken(words: &Words, takes: u64) -> Result<(), Fault> {
     let takes = takes | ALWAYS;
     if words.present() & !takes == 0 {
         return Ok(());

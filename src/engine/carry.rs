@@ -37,10 +37,10 @@ impl Interpreter<'_> {
                 code => self.change_mode(code, sink),
             }
         }
-        if words.has(Address::F) && plan.one_shot != OneShot::Dwell {
-            self.store_feed(words, plan)?;
+        self.take_feed(words, plan)?;
+        if self.lap.is_active() || matches!(plan.one_shot, OneShot::Lap(_)) {
+            self.begin_contour_block(words, plan)?;
         }
-        self.state.thread.store_divisor(words, plan);
         self.act_at_once(words, plan, sink)?;
         self.speeds(words, plan, sink)?;
         if let Some(tool) = words.get(Address::T).filter(|_| !plan.one_shot.is_groove()) {
@@ -51,8 +51,26 @@ impl Interpreter<'_> {
             self.state.base = None;
         }
         self.change_compensation(plan.compensation, words);
+        if self.lap.is_active() && Self::makes_motion(plan) {
+            self.admit_motion(plan)?;
+        }
+        self.move_axes(slot, plan, sink)?;
+        if plan.compensation != Change::None {
+            self.complete_change(sink)?;
+        }
+        if self.side.is_some() && self.stop_at_m100(words, plan, sink) {
+            return Ok(None);
+        }
+        self.carry_out_last(slot, plan, from, sink)
+    }
+
+    /// Step 7 of a block: its motions, its dwell.
+    #[inline]
+    pub(super) fn move_axes(&mut self, slot: &Slot, plan: Plan, sink: &mut impl Sink) -> Result<(), Fault> {
+        let words = &slot.words;
         match plan.one_shot {
             OneShot::Dwell => self.dwell(words, sink)?,
+            OneShot::Lap(code) => self.carry_out_lap(slot, code, sink)?,
             OneShot::TorqueSkip => {
                 self.torque_skip(words, sink)?;
                 self.state.thread.end_chain();
@@ -73,13 +91,7 @@ impl Interpreter<'_> {
             _ if plan.moves => self.line(slot, plan, sink)?,
             _ => {}
         }
-        if plan.compensation != Change::None {
-            self.complete_change(sink)?;
-        }
-        if self.side.is_some() && self.stop_at_m100(words, plan, sink) {
-            return Ok(None);
-        }
-        self.carry_out_last(slot, plan, from, sink)
+        Ok(())
     }
 
     /// Step 8 of a block, and what comes behind it.
@@ -101,11 +113,14 @@ impl Interpreter<'_> {
         if self.task.has_modes() && plan.is_axis_motion(words) && from != Some(self.state.machine) {
             self.call_modes(sink)?;
         }
+        if self.lap.defines() && words.has_g(80) {
+            self.finish_contour(sink)?;
+        }
         Ok(None)
     }
 
     /// A G code that changes its modal group.
-    fn change_mode(&mut self, code: u16, sink: &mut impl Sink) {
+    pub(super) fn change_mode(&mut self, code: u16, sink: &mut impl Sink) {
         macro_rules! with {
             ($rule:ident) => {
                 const { RuleSet::of(&[GCODE_02, $rule]) }
@@ -198,6 +213,16 @@ impl Interpreter<'_> {
             angle: None,
         };
         self.emit(sink, rules, action);
+    }
+
+    /// F and J.
+    #[inline]
+    pub(super) fn take_feed(&mut self, words: &Words, plan: Plan) -> Result<(), Fault> {
+        if words.has(Address::F) && plan.one_shot != OneShot::Dwell {
+            self.store_feed(words, plan)?;
+        }
+        self.state.thread.store_divisor(words, plan);
+        Ok(())
     }
 
     /// F: both readings are kept, the one in force is checked; that of a thread is a lead (E100L-THRD-04).
@@ -339,6 +364,7 @@ impl Interpreter<'_> {
                 self.emit_mode(sink, Label::new(group), code, previous, rules);
             }
         }
+        self.lap.reset();
         self.reset_turret(sink);
         const SHIFT: RuleSet = RuleSet::of(&[G50_05, SVAR_02]);
         if std::mem::take(&mut self.state.zero_shift) != [0; 4] {

@@ -163,13 +163,14 @@ impl Interpreter<'_> {
             let named = if rounding { end.readings } else { end.readings.union(self.known.leg) };
             self.any_corner(end.anchor, corner, beyond, size, rounding, (line, second), named)?
         };
-        for (tested, coordinate) in [(end.x, corner.x), (end.z, corner.z)] {
+        let placed = corner.plus(self.lap.shift());
+        for (tested, coordinate) in [(end.x, placed.x), (end.z, placed.z)] {
             if tested || !basic {
                 self.check_coordinate(coordinate)?;
             }
         }
         for element in [elements.first, elements.second].into_iter().flatten() {
-            self.perform(element, sink)?;
+            self.perform_placed(element, sink)?;
         }
         self.state.base = Some(Base { x: corner.x, z: corner.z, basic });
         self.state.angle_target = end.beyond.map(|point| (point.x, point.z));
@@ -186,7 +187,7 @@ impl Interpreter<'_> {
         (line, second): (Cites, Cites),
         readings: ReadingSet,
     ) -> Result<Elements, Fault> {
-        let present = self.present();
+        let present = self.origin();
         let travel =
             if along_x { corner.x.saturating_sub(present.x) } else { corner.z.saturating_sub(present.z) };
         if travel == 0 {
@@ -273,7 +274,7 @@ impl Interpreter<'_> {
         if cross == 0 && rounding {
             return Ok(Elements { first: Some(element), second: None });
         }
-        let incoming = self.excess(&corner, square_distance(at, self.present()));
+        let incoming = self.excess(&corner, square_distance(at, self.origin()));
         let outgoing = self.excess(&corner, square(corner.outgoing));
         if incoming == Ordering::Greater || outgoing == Ordering::Greater {
             return Fault::raise(AlarmName::ChamferTooShort, rules::CHAM_07);
@@ -333,7 +334,8 @@ impl Interpreter<'_> {
     /// Reads the blocks that the corner needs: the next one, and the one after it when the next one has an
     /// angle alone.
     fn look_beyond(&mut self, slot: &Slot, plan: Plan, sink: &mut impl Sink) -> Result<(), Fault> {
-        let need = Need { chamfer: true, only_angle: plan.only_angle, place: slot.place };
+        let last = slot.words.has_g(80);
+        let need = Need { chamfer: true, only_angle: plan.only_angle, place: slot.place, last };
         self.look_ahead(0, need, self.state.motion, sink)?;
         let next = &self.ahead[0];
         let only_angle = Course::of(&next.words, self.state.incremental).only_angle().is_some();
@@ -341,7 +343,7 @@ impl Interpreter<'_> {
             return Ok(());
         }
         let chamfer = next.words.has_g(75) || next.words.has_g(76);
-        let need = Need { chamfer, only_angle: true, place: next.place };
+        let need = Need { chamfer, only_angle: true, place: next.place, last: next.words.has_g(80) };
         self.look_ahead(1, need, self.state.motion, sink)
     }
 

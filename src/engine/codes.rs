@@ -41,7 +41,9 @@ pub enum GGroup {
     SpeedTurret,
     /// G178 to G190.
     Cycle,
-    /// G04 G22 G28 G29 G50 G71 to G78 G136 G137, of which a block has one.
+    /// G84.
+    ChangePoints,
+    /// G04 G22 G28 G29 G50 G71 to G78 G80 to G83 G85 to G88 G136 G137, of which a block has one.
     OneShot,
 }
 
@@ -107,11 +109,12 @@ pub fn is_m_macro(code: u16) -> bool {
 pub fn g_group(code: u16) -> Option<GGroup> {
     Some(match code {
         0..=3 | 31..=35 | 101..=103 | 132 | 133 => GGroup::Motion,
-        4 | 22 | 28 | 29 | 50 | 71..=78 | 136 | 137 => GGroup::OneShot,
+        4 | 22 | 28 | 29 | 50 | 71..=78 | 80..=83 | 85..=88 | 136 | 137 => GGroup::OneShot,
         13 | 14 => GGroup::Turret,
         17 | 18 | 119 => GGroup::Plane,
         40..=42 => GGroup::Compensation,
         64 | 65 => GGroup::Droop,
+        84 => GGroup::ChangePoints,
         90 | 91 => GGroup::Dimension,
         94 | 95 => GGroup::FeedUnit,
         96 | 97 => GGroup::CuttingSpeed,

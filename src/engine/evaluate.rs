@@ -25,6 +25,9 @@ impl Interpreter<'_> {
         let Slot { parsed, words, .. } = slot;
         let parsed: &Parsed = parsed;
         words.clear();
+        if !parsed.contour.is_empty() {
+            self.begin_call(words);
+        }
         for item in &parsed.items {
             match *item {
                 Item::Word(address, source) => {
@@ -59,22 +62,25 @@ impl Interpreter<'_> {
             return Fault::raise(AlarmName::DuplicateAddress, FMT_06);
         }
         let value = match address {
-            Address::X | Address::Z | Address::I | Address::K | Address::L | Address::R | Address::DA => {
+            Address::X | Address::Z | Address::I | Address::K | Address::L | Address::R => {
                 self.length(number, true)?
             }
+            Address::XA | Address::XB | Address::ZA | Address::ZB => self.length(number, true)?,
             Address::Y if !self.state.contour.converts() => {
                 return Fault::raise(AlarmName::AddressUnknown, ADDR_01);
             }
             Address::Y => self.length(number, true)?,
-            Address::W => self.length(number, self.setup.options.w_axis)?,
-            Address::U | Address::H => self.length(number, false)?,
+            Address::W => self.length(number, self.setup.options.w_axis && !words.calls_contour)?,
+            Address::U | Address::H | Address::DB => self.length(number, false)?,
+            Address::DA => self.length(number, !words.calls_contour)?,
             Address::D => {
                 words.exact_d = number;
                 self.length(number, false)?
             }
             Address::C => self.angle(number, 359_999_000)?,
             Address::A | Address::B => self.angle(number, 99_999_999_000)?,
-            Address::E => {
+            Address::E | Address::FA | Address::FB if self.is_contour_feed(words, address, number) => 0,
+            Address::E | Address::FA | Address::FB => {
                 let unit = self.units.feed[1];
                 let most = self.units.feeds[1];
                 ranged(number, unit, -most, most, ADDR_01)?;
@@ -171,6 +177,9 @@ impl Interpreter<'_> {
             Status::NotModelled => return Err(Fault::about(AlarmName::NotModelled, GTAB_01, detail())),
             Status::Unassigned => return Fault::raise(AlarmName::GCodeUnassigned, GTAB_01),
         };
+        if matches!(code, 80..=88) {
+            self.check_lap_code(words, code)?;
+        }
         if words.has_g(code) {
             return Fault::raise(AlarmName::GCodesConflict, GCODE_04);
         }

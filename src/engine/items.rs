@@ -15,11 +15,10 @@ use super::text::{Class, class};
 use super::words::{Address, Item, Source};
 
 /// Two-letter addresses that are not modelled.
-const OTHER_EXTENDED: [&[u8]; 22] = [
-    b"AA", b"AB", b"DB", b"FA", b"FB", b"IA", b"IB", b"KA", b"KB", b"LA", b"LB", b"RA", b"RB", b"TA", b"TB",
-    b"UA", b"UB", b"WA", b"WB", b"XA", b"XB", b"ZA",
+const OTHER_EXTENDED: [&[u8]; 17] = [
+    b"AA", b"AB", b"BC", b"IA", b"IB", b"KA", b"KB", b"LA", b"LB", b"RA", b"RB", b"TA", b"TB", b"UA", b"UB",
+    b"WA", b"WB",
 ];
-const LAST_EXTENDED: [&[u8]; 2] = [b"ZB", b"BC"];
 
 /// The modelled two-letter address of a name.
 fn extended(name: &[u8]) -> Option<Address> {
@@ -30,6 +29,13 @@ fn extended(name: &[u8]) -> Option<Address> {
         b"PZ" => Some(Address::PZ),
         b"PW" => Some(Address::PW),
         b"DA" => Some(Address::DA),
+        b"DB" => Some(Address::DB),
+        b"FA" => Some(Address::FA),
+        b"FB" => Some(Address::FB),
+        b"XA" => Some(Address::XA),
+        b"XB" => Some(Address::XB),
+        b"ZA" => Some(Address::ZA),
+        b"ZB" => Some(Address::ZB),
         _ => None,
     }
 }
@@ -40,7 +46,7 @@ pub fn is_extended(name: &[u8]) -> bool {
 }
 
 fn is_other_extended(name: &[u8]) -> bool {
-    OTHER_EXTENDED.contains(&name) || LAST_EXTENDED.contains(&name)
+    OTHER_EXTENDED.contains(&name)
 }
 
 /// A plain number with what the G word needs to know of its writing.

@@ -7,7 +7,7 @@ use turnspec_oracle::vocabulary::{
 
 use super::Interpreter;
 use super::arithmetic::tool::ToolWord;
-use super::block::Plan;
+use super::block::{OneShot, Plan};
 use super::codes;
 use super::fault::Fault;
 use super::planted::{self, Bug};
@@ -138,7 +138,9 @@ impl Interpreter<'_> {
                     152 | 153 => state.tool_interlock_released = code == 153,
                     _ => {}
                 }
-                self.emit_aux(sink, code, codes::m_rules(code));
+                let called = code == 85 && matches!(plan.one_shot, OneShot::Lap(_));
+                let rules = codes::m_rules(code);
+                self.emit_aux(sink, code, if called { rules.with(LAPC_08) } else { rules });
             }
         }
         Ok(())

@@ -26,6 +26,7 @@ mod expression;
 mod fault;
 mod functions;
 mod items;
+mod lap;
 mod miscellaneous;
 mod motion;
 mod names;
@@ -63,6 +64,7 @@ use communication::Communication;
 use compensation::Compensation;
 use fault::Fault;
 use functions::Scales;
+use lap::Lap;
 use names::Names;
 use parse::Options;
 use planted::Bug;
@@ -102,6 +104,7 @@ pub struct Interpreter<'a> {
     compensation: Compensation,
     communication: Communication<'a>,
     schedule: Schedule,
+    lap: Lap,
     /// What makes this run that of one of two saddles.
     side: Option<Box<SideRun>>,
     /// The runs of both saddles, of which this run is the whole.
@@ -133,6 +136,7 @@ struct Known {
     peck_retract: ReadingSet,
     chip_discharge: ReadingSet,
     keyway_return: ReadingSet,
+    contour_feed: ReadingSet,
 }
 
 impl Known {
@@ -158,6 +162,7 @@ impl Known {
             peck_retract: one(readings.peck_retract),
             chip_discharge: one(readings.chip_discharge),
             keyway_return: one(readings.keyway_return),
+            contour_feed: one(readings.contour_feed),
         }
     }
 }
@@ -204,6 +209,7 @@ impl<'a> Interpreter<'a> {
             compensation: Compensation::default(),
             communication: Communication::default(),
             schedule: Schedule::default(),
+            lap: Lap::default(),
             side: None,
             saddles: None,
             ordinal: 0,
@@ -258,6 +264,9 @@ impl<'a> Interpreter<'a> {
     fn next_block(&mut self, slot: &mut Slot, sink: &mut impl Sink) -> Result<Option<Ending>, Fault> {
         if self.side.is_some() && self.resume(slot, sink)? {
             return Ok(None);
+        }
+        if self.lap.is_active() {
+            return self.next_block_of_definition(slot, sink);
         }
         if self.compensation.acts() {
             self.compensation.begin_block();
@@ -315,11 +324,22 @@ impl<'a> Interpreter<'a> {
     /// Hands an event to the sink, or holds it.
     #[inline(always)]
     fn hand_over(&mut self, sink: &mut impl Sink, event: Event) {
-        if self.compensation.holds() {
-            return self.compensation.hold(&event);
+        if self.compensation.holds() | self.lap.observes() {
+            return self.hand_over_apart(sink, event);
         }
         self.ordinal = event.n;
         sink.event(&event);
+    }
+}
+
+impl Interpreter<'_> {
+    /// Holds an event, or takes note of it.
+    #[cold]
+    fn hand_over_apart(&mut self, sink: &mut impl Sink, event: Event) {
+        if self.lap.observes() {
+            return self.observe(sink, event);
+        }
+        self.compensation.hold(&event);
     }
 }
 

@@ -15,7 +15,7 @@ use super::arithmetic::turn;
 use super::cite::{self, Cites};
 use super::fault::Fault;
 use super::planted::{self, Bug};
-use super::state::{Amounts, C, W, X, Z};
+use super::state::{Amounts, C, StoredFeed, W, X, Z};
 use super::words::{Address, Words};
 
 /// The kind of an element.
@@ -80,13 +80,19 @@ impl Interpreter<'_> {
             .and_if(x, cite::DIA_01)
             .and_if(x && incremental && !planted::is(Bug::DiameterRule), cite::ABS_03)
             .and_if(self.inch_block, cite::INCH_02)
+            .and(self.lap.cites())
     }
 
     /// The rules of the feed mode in force.
     pub(super) fn feed_cites(&self) -> Cites {
+        self.cites_of_feed(self.state.feed)
+    }
+
+    /// The same where a stored feed is used.
+    pub(super) fn cites_of_feed(&self, stored: Option<StoredFeed>) -> Cites {
         let unit = self.state.feed_unit();
         let mode = if unit == FeedUnit::PerMinute { cite::FEED_02 } else { cite::FEED_01 };
-        mode.and_if(self.state.feed.is_some_and(|feed| feed.given != unit), cite::FEED_03)
+        mode.and_if(stored.is_some_and(|feed| feed.given != unit), cite::FEED_03)
     }
 
     /// The rules of a linear element, path length aside.
@@ -96,18 +102,25 @@ impl Interpreter<'_> {
 
     /// The feed in force (E100L-G01-03, E100L-FEED-03).
     pub(super) fn feed(&self) -> Result<Feed, Fault> {
-        match self.state.feed {
+        self.reading_of(self.state.feed)
+    }
+
+    /// A stored feed in the mode in force.
+    #[inline]
+    pub(super) fn reading_of(&self, stored: Option<StoredFeed>) -> Result<Feed, Fault> {
+        match stored {
             Some(feed) => {
                 let stale = planted::is(Bug::FeedOfOtherMode) && feed.given != self.state.feed_unit();
                 let value = feed.values[usize::from(self.state.per_minute == stale)];
                 let unit = self.state.feed_unit();
                 let [least, most] = self.units.feeds;
                 // Given in this mode it was tested with its word.
-                if feed.given != unit && !(least..=most).contains(&value) {
+                if feed.given != unit && !(least..=most).contains(&value) && !self.lap.reads() {
                     return Fault::raise(AlarmName::AddressRange, rules::ADDR_01);
                 }
                 Ok(Feed { value: FeedRate(value), unit })
             }
+            None if self.lap.reads() => Ok(Feed { value: FeedRate(0), unit: self.state.feed_unit() }),
             None => Fault::raise(AlarmName::NoFeed, rules::G01_03),
         }
     }
@@ -120,6 +133,15 @@ impl Interpreter<'_> {
             Kind::LinearAt(feed) => Ok(Some(feed)),
             Kind::Linear | Kind::Arc { .. } => self.feed().map(Some),
         }
+    }
+
+    /// Carries out one element that was found in the coordinates of the contour to which it belongs, if to any.
+    #[inline(always)]
+    pub(super) fn perform_placed(&mut self, mut element: Element, sink: &mut impl Sink) -> Result<(), Fault> {
+        if self.lap.is_active() {
+            self.place_element(&mut element)?;
+        }
+        self.perform(element, sink)
     }
 
     /// Carries out one element.

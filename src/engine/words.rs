@@ -28,21 +28,21 @@ macro_rules! addresses {
 
 addresses! {
     A "A", B "B", C "C", D "D", E "E", F "F", G "G", H "H", I "I", J "J", K "K", L "L", M "M", P "P", Q "Q",
-    R "R", S "S", T "T", U "U", W "W", X "X", Y "Y", Z "Z", SB "SB", SA "SA", QA "QA", PZ "PZ", PW "PW", DA "DA",
-    Calrg "CALRG"
+    R "R", S "S", T "T", U "U", W "W", X "X", Y "Y", Z "Z", SB "SB", SA "SA", QA "QA", PZ "PZ", PW "PW",
+    Calrg "CALRG", DA "DA", DB "DB", FA "FA", FB "FB", XA "XA", XB "XB", ZA "ZA", ZB "ZB"
 }
 
 /// Number of addresses.
-const ADDRESSES: usize = 30;
+const ADDRESSES: usize = 37;
 
 impl Address {
     /// Its bit in a set of addresses.
-    pub const fn bit(self) -> u32 {
-        1 << self as u32
+    pub const fn bit(self) -> u64 {
+        1 << self as u64
     }
 
     /// The set of some addresses.
-    pub const fn set(addresses: &[Self]) -> u32 {
+    pub const fn set(addresses: &[Self]) -> u64 {
         let (mut set, mut next) = (0, 0);
         while next < addresses.len() {
             set |= addresses[next].bit();
@@ -53,7 +53,7 @@ impl Address {
 
     /// Whether its values are lengths.
     pub const fn is_length(self) -> bool {
-        const LENGTHS: u32 = Address::set(&[
+        const LENGTHS: u64 = Address::set(&[
             Address::X,
             Address::Y,
             Address::Z,
@@ -66,6 +66,11 @@ impl Address {
             Address::L,
             Address::R,
             Address::DA,
+            Address::DB,
+            Address::XA,
+            Address::XB,
+            Address::ZA,
+            Address::ZB,
         ]);
         self.bit() & LENGTHS != 0
     }
@@ -212,6 +217,8 @@ pub struct Parsed {
     pub sequence: Label,
     /// Program name with its `O`, if this is a program-name block.
     pub program: Option<Label>,
+    /// The contour that it calls, with its `N`; empty unless it begins with G85 to G88.
+    pub contour: Label,
     /// The statement, if it is one other than NOEX.
     pub control: Option<Control>,
     /// Whether the block begins with NOEX.
@@ -232,6 +239,7 @@ impl Parsed {
         self.characters.clear();
         self.sequence = Label::default();
         self.program = None;
+        self.contour = Label::default();
         self.control = None;
         self.noex = false;
         self.skipped = false;
@@ -263,7 +271,7 @@ impl Parsed {
 /// The evaluated words of a block.
 #[derive(Debug)]
 pub struct Words {
-    present: u32,
+    present: u64,
     values: [i64; ADDRESSES],
     order: [Address; ADDRESSES],
     count: u8,
@@ -274,6 +282,10 @@ pub struct Words {
     pub exact_e: Number,
     /// Whether the block has an assignment before the word that comes.
     assigned: bool,
+    /// Those of E, FA and FB, where they are feeds.
+    pub contour_feeds: [Number; 3],
+    /// Whether the block is the call of a contour.
+    pub calls_contour: bool,
     g: [u16; GROUPS],
     g_count: u8,
     g_groups: u16,
@@ -298,6 +310,8 @@ impl Default for Words {
             exact_d: Number::Integer(0),
             exact_e: Number::Integer(0),
             assigned: false,
+            contour_feeds: [Number::Integer(0); 3],
+            calls_contour: false,
             g: [0; GROUPS],
             g_count: 0,
             g_groups: 0,
@@ -312,6 +326,7 @@ impl Words {
     /// Forgets all words.
     pub fn clear(&mut self) {
         self.present = 0;
+        self.calls_contour = false;
         self.count = 0;
         self.assigned = false;
         self.g_count = 0;
@@ -360,12 +375,12 @@ impl Words {
     }
 
     /// Whether the block has one of a set of addresses.
-    pub fn has_any(&self, set: u32) -> bool {
+    pub fn has_any(&self, set: u64) -> bool {
         self.present & set != 0
     }
 
     /// The set of addresses of the block.
-    pub fn present(&self) -> u32 {
+    pub fn present(&self) -> u64 {
         self.present
     }
 

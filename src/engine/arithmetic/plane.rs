@@ -7,7 +7,7 @@
 //! centre to another at most 2^61; sums of their products stay below 2^124.
 
 /// A point in program coordinates, X as a diameter.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub struct Point {
     /// X as a diameter, in nanometres.
     pub x: i64,

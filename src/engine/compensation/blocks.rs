@@ -47,7 +47,7 @@ impl Interpreter<'_> {
                 let cites = self.line_cites(Cites::default()).and_if(self.inch_block, cite::INCH_02);
                 let (x, z, w, c) = (None, None, None, None);
                 let readings = ReadingSet::default();
-                self.perform(Element { kind, x, z, w, c, cites, readings, limited: false }, sink)
+                self.perform_placed(Element { kind, x, z, w, c, cites, readings, limited: false }, sink)
             }
             Phase::Ending => self.cancel(false, sink),
             _ => Ok(()),
@@ -139,8 +139,11 @@ impl Interpreter<'_> {
 
     /// The rules of a line that its block has no words for.
     fn line_cites(&self, cites: Cites) -> Cites {
-        let cites =
-            cites.and(cite::COORD_03).and(if self.state.incremental { cite::ABS_02 } else { cite::ABS_01 });
+        let cites = cites.and(self.lap.cites()).and(cite::COORD_03).and(if self.state.incremental {
+            cite::ABS_02
+        } else {
+            cite::ABS_01
+        });
         if self.state.motion == 0 {
             cites.and(cite::G00_01)
         } else {

@@ -23,8 +23,8 @@ pub enum Change {
     Ends,
 }
 
-const SHIFTS: u32 = Address::set(&[Address::X, Address::Z, Address::C, Address::W]);
-const IMAGINARY: u32 = Address::set(&[Address::I, Address::K]);
+const SHIFTS: u64 = Address::set(&[Address::X, Address::Z, Address::C, Address::W]);
+const IMAGINARY: u64 = Address::set(&[Address::I, Address::K]);
 
 impl Interpreter<'_> {
     /// What the words of a block do to compensation.

@@ -236,8 +236,9 @@ impl Interpreter<'_> {
         let mut motion = self.motion_here(turn);
         motion.speed = self.motion_speed(motion.program.x.0, kind != Kind::Rapid, &mut cites, &mut readings);
         let limits = [X, Z].map(|axis| (self.state.negative_limits[axis], self.state.positive_limits[axis]));
-        let (start, end, place) = (*start, *end, self.place);
-        Waiting { role, kind, feed, motion, start, end, turn, limits, place, cites, readings, refusal: None }
+        let (start, end, place, mark) = (*start, *end, self.place, self.lap.mark_number());
+        let refusal = None;
+        Waiting { role, kind, feed, motion, start, end, turn, limits, place, mark, cites, readings, refusal }
     }
 
     fn begin_to_wait(&mut self, waiting: Waiting) {

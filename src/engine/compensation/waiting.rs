@@ -51,6 +51,8 @@ pub struct Waiting {
     pub turn: Option<i64>,
     pub limits: Limits,
     pub place: Place,
+    /// The mark of its block, in a definition of LAP.
+    pub mark: u32,
     pub cites: Cites,
     pub readings: ReadingSet,
     /// Why it cannot be made, if it has to be made at all.
@@ -202,8 +204,10 @@ impl Interpreter<'_> {
         let travel = (waiting.kind, waiting.feed);
         let action = self.action(travel, motion, (&start, &end, waiting.turn), &mut cites, &mut readings);
         let rules = self.cites.rules(cites);
-        let event = Event::new(0, waiting.place, rules, readings, action);
-        self.emit_at_once(sink, self.of_side(event));
+        let event = self.of_side(Event::new(0, waiting.place, rules, readings, action));
+        if !self.lap.observes() || !self.take_note(&event, waiting.mark) {
+            self.emit_at_once(sink, event);
+        }
         Ok(())
     }
 }

@@ -40,20 +40,20 @@ fn sense(motion: u16) -> Sense {
 }
 
 /// The coordinates of conversion mode.
-pub const POINT: u32 = Address::set(&[Address::X, Address::Y]);
+pub const POINT: u64 = Address::set(&[Address::X, Address::Y]);
 /// The words, other than those of the axes, that make a contour block of a block in a contour mode.
-pub const WORDS: u32 = Address::set(&[Address::L]);
+pub const WORDS: u64 = Address::set(&[Address::L]);
 /// The words that G137 takes.
-pub const START_TAKES: u32 = Address::set(&[Address::C]);
+pub const START_TAKES: u64 = Address::set(&[Address::C]);
 
 /// The words that a block without one-shot code takes, in a contour mode, in conversion mode or without a motion code.
-pub fn takes(motion: u16, converted: bool) -> u32 {
-    const LINE: u32 = Address::set(&[Address::X, Address::Z, Address::C]);
-    const POSITION: u32 = Address::set(&[Address::X, Address::Y, Address::Z, Address::W]);
-    const POINT_LINE: u32 = Address::set(&[Address::X, Address::Y, Address::Z]);
-    const ARC: u32 = Address::set(&[Address::X, Address::C, Address::L]);
-    const POINT_ARC: u32 = Address::set(&[Address::X, Address::Y, Address::L]);
-    const SIDE: u32 = Address::set(&[Address::X, Address::Z, Address::C, Address::L]);
+pub fn takes(motion: u16, converted: bool) -> u64 {
+    const LINE: u64 = Address::set(&[Address::X, Address::Z, Address::C]);
+    const POSITION: u64 = Address::set(&[Address::X, Address::Y, Address::Z, Address::W]);
+    const POINT_LINE: u64 = Address::set(&[Address::X, Address::Y, Address::Z]);
+    const ARC: u64 = Address::set(&[Address::X, Address::C, Address::L]);
+    const POINT_ARC: u64 = Address::set(&[Address::X, Address::Y, Address::L]);
+    const SIDE: u64 = Address::set(&[Address::X, Address::Z, Address::C, Address::L]);
     match (motion, converted) {
         (101, false) => LINE,
         (101, true) => POINT_LINE,

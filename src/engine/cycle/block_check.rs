@@ -85,7 +85,7 @@ impl Interpreter<'_> {
     }
 
     fn check_keyway(&self, words: &Words, is_first: bool) -> Result<(), Fault> {
-        const NEEDED: u32 = Address::set(&[Address::X, Address::Z, Address::D]);
+        const NEEDED: u64 = Address::set(&[Address::X, Address::Z, Address::D]);
         if is_first && words.present() & NEEDED != NEEDED {
             return Fault::raise(AlarmName::WordMissing, G190_01);
         }

@@ -64,7 +64,7 @@ impl CycleBlock {
 /// G180.
 const NO_CYCLE: u16 = 180;
 
-const GROOVE: u32 = Address::set(&[
+const GROOVE: u64 = Address::set(&[
     Address::X,
     Address::Z,
     Address::I,
@@ -74,27 +74,27 @@ const GROOVE: u32 = Address::set(&[
     Address::E,
     Address::DA,
 ]);
-const HOLE: u32 =
+const HOLE: u64 =
     Address::set(&[Address::X, Address::Z, Address::C, Address::R, Address::I, Address::K, Address::Q]);
-const HELIX: u32 = Address::set(&[Address::X, Address::Z, Address::C, Address::I, Address::K]);
-const SLOT: u32 = Address::set(&[Address::X, Address::Z, Address::C, Address::D, Address::E, Address::Q]);
+const HELIX: u64 = Address::set(&[Address::X, Address::Z, Address::C, Address::I, Address::K]);
+const SLOT: u64 = Address::set(&[Address::X, Address::Z, Address::C, Address::D, Address::E, Address::Q]);
 
 /// The words that G73 and G74 take.
-pub const GROOVE_TAKES: u32 = GROOVE;
+pub const GROOVE_TAKES: u64 = GROOVE;
 /// The words that G77 and G78 take.
-pub const TAP_TAKES: u32 = Address::set(&[Address::X, Address::Z, Address::K]);
+pub const TAP_TAKES: u64 = Address::set(&[Address::X, Address::Z, Address::K]);
 /// The words that make a hole block of a follow-up block.
-const MACHINING: u32 = Address::set(&[Address::X, Address::Z, Address::C, Address::R, Address::Q]);
+const MACHINING: u64 = Address::set(&[Address::X, Address::Z, Address::C, Address::R, Address::Q]);
 /// The words of lengths in a synchronised cycle, where D is an angle.
-const TAP_LENGTHS: u32 = Address::set(&[Address::X, Address::Z, Address::I, Address::K, Address::R]);
+const TAP_LENGTHS: u64 = Address::set(&[Address::X, Address::Z, Address::I, Address::K, Address::R]);
 
 /// The words that a block of a cycle takes (execution of drilling, check 5).
-fn takes(code: u16, synchronised: bool, face: bool) -> u32 {
-    const DWELL: u32 = HOLE | Address::set(&[Address::E]);
-    const DEEP: u32 = DWELL | Address::set(&[Address::D, Address::L]);
-    const TAPPED: u32 = HOLE | Address::set(&[Address::D, Address::J]);
-    const FACE_SLOT: u32 = SLOT | Address::set(&[Address::K, Address::W]);
-    const SIDE_SLOT: u32 = SLOT | Address::set(&[Address::I, Address::U]);
+fn takes(code: u16, synchronised: bool, face: bool) -> u64 {
+    const DWELL: u64 = HOLE | Address::set(&[Address::E]);
+    const DEEP: u64 = DWELL | Address::set(&[Address::D, Address::L]);
+    const TAPPED: u64 = HOLE | Address::set(&[Address::D, Address::J]);
+    const FACE_SLOT: u64 = SLOT | Address::set(&[Address::K, Address::W]);
+    const SIDE_SLOT: u64 = SLOT | Address::set(&[Address::I, Address::U]);
     match code {
         _ if synchronised => TAPPED,
         183 => DEEP,

@@ -78,6 +78,18 @@ impl Control {
     }
 }
 
+impl Control {
+    /// Whether it may stand in a contour; RTS in programs that the contour has called.
+    pub fn is_for_contours(self, called: bool) -> bool {
+        match self {
+            Self::Goto(_) | Self::If(..) | Self::Call(_) | Self::MMacro(_) => true,
+            Self::GMacro(code) => code > 170,
+            Self::Return => called,
+            _ => false,
+        }
+    }
+}
+
 /// The keywords that a blank must follow, or `[`; longer ones before their beginnings.
 const DELIMITED: [&[u8]; 11] =
     [b"MODOUT", b"MODIN", b"WRITE", b"GOTO", b"CALL", b"READ", b"NOEX", b"RTS", b"GET", b"PUT", b"IF"];
@@ -162,12 +174,31 @@ impl Parser<'_> {
             }
             _ => (None, MACRO_01),
         };
-        let Some(code) = control else { return Ok(false) };
+        let Some(code) = control else {
+            self.contour_name()?;
+            return Ok(false);
+        };
         self.refuse_on_two_saddles(code.word())?;
         self.block.items.clear();
         self.block.control = control;
         self.items(Some(rule))?;
         Ok(true)
+    }
+
+    /// The name of the contour that a block with G85 to G88 in front calls (E100L-LAP-09).
+    fn contour_name(&mut self) -> Result<(), Fault> {
+        let Some(Item::Word(Address::G, Source::Plain(number))) = self.block.items.last() else {
+            return Ok(());
+        };
+        if !whole(*number).is_some_and(|code| matches!(code, 85..=88)) {
+            return Ok(());
+        }
+        self.skip_blanks()?;
+        if self.peek() != Some(b'N') || self.run(self.at) == b"NOEX" {
+            return Fault::raise(AlarmName::Format, LAP_09);
+        }
+        self.block.contour = self.sequence_name(false)?;
+        Ok(())
     }
 
     /// A keyword with the blank behind it, and all blanks there.

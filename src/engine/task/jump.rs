@@ -8,6 +8,8 @@ use crate::engine::fault::Fault;
 use crate::engine::names::Names;
 use crate::engine::planted::{self, Bug};
 
+use crate::engine::text::Mark;
+
 use super::head;
 use super::labels::{Bound, Labels};
 use super::{Activation, Activity};
@@ -15,20 +17,35 @@ use super::{Activation, Activity};
 impl Interpreter<'_> {
     /// Goes on with the block of the present program that has a name.
     pub(super) fn jump(&mut self, name: Label, rule: RuleId) -> Result<(), Fault> {
-        let here = self.reader.mark();
-        let number = head::number(name.as_str().as_bytes().get(1..).unwrap_or_default());
-        let Some(target) = self.labels().and_then(|labels| labels.find(number)) else {
+        let Some(target) = self.labels().and_then(|labels| labels.find(number_of(name))) else {
             return Err(Fault::about(AlarmName::SequenceNameUnknown, rule, name));
         };
+        self.go_to(target);
+        if planted::is(Bug::JumpBehindTarget) {
+            self.reader.next_lines();
+        }
+        Ok(())
+    }
+
+    /// Goes on with a block of the present program; what is run again is kept.
+    pub(in crate::engine) fn go_to(&mut self, target: Mark) {
+        let here = self.reader.mark();
         if target.at < here.at {
             let until = &mut self.task.present.kept_until;
             *until = (*until).max(here.at);
         }
         self.reader.seek(target);
-        if planted::is(Bug::JumpBehindTarget) {
-            self.reader.next_lines();
-        }
-        Ok(())
+    }
+
+    /// The first block of the present program with a name, whose names are known.
+    pub(in crate::engine) fn block_named(&self, name: Label) -> Option<Mark> {
+        let labels = self.task.labels.get(self.task.present.labels)?.as_ref()?;
+        labels.find(number_of(name))
+    }
+
+    /// Makes the names of the present program known.
+    pub(in crate::engine) fn index_present(&mut self) {
+        self.labels();
     }
 
     /// Whether a block that the run has come to is the first of its program with its sequence name.
@@ -73,4 +90,9 @@ impl Interpreter<'_> {
             self.names = Names::default();
         }
     }
+}
+
+/// The number of a sequence name with its `N`.
+fn number_of(name: Label) -> u32 {
+    head::number(name.as_str().as_bytes().get(1..).unwrap_or_default())
 }

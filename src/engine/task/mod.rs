@@ -159,7 +159,7 @@ impl<'a> Task<'a> {
     }
 
     /// How many called programs are active.
-    fn depth(&self) -> u8 {
+    pub fn depth(&self) -> u8 {
         u8::try_from(self.frames.len()).unwrap_or(u8::MAX)
     }
 }

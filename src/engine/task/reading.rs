@@ -23,6 +23,10 @@ pub enum Turn {
     Now,
     /// It is looked at before its turn.
     Ahead,
+    /// The run arrives at it in a definition of LAP, which no program name continues.
+    Within,
+    /// The run arrives at it by its name: no block is read behind it, though it is skipped.
+    Named,
 }
 
 impl Interpreter<'_> {
@@ -43,7 +47,7 @@ impl Interpreter<'_> {
             if self.reader.at() < self.task.present.kept_until
                 && let Some(idle) = self.take_kept(slot, turn)?
             {
-                if idle {
+                if idle && turn != Turn::Named {
                     continue;
                 }
                 return Ok(true);
@@ -72,7 +76,7 @@ impl Interpreter<'_> {
                 let parsed = slot.parsed.keep();
                 self.task.kept.keep(text, KeptBlock { lines, after, parsed, idle });
             }
-            if !idle {
+            if !idle || turn == Turn::Named {
                 return Ok(true);
             }
         }
@@ -145,7 +149,17 @@ impl Interpreter<'_> {
     /// other blocks when the run arrives there, but is no step.
     #[inline]
     fn ends_program(&self, lines: Lines, turn: Turn) -> bool {
-        lines.start >= self.task.present.end || turn == Turn::Ahead && self.names_program(lines)
+        lines.start >= self.task.present.end
+            || turn != Turn::Now && self.is_closed_by_names(turn) && self.names_program(lines)
+    }
+
+    /// Whether the program that runs ends at a name block before the run arrives there.
+    fn is_closed_by_names(&self, turn: Turn) -> bool {
+        match turn {
+            Turn::Ahead => true,
+            Turn::Within => self.begun && self.task.present.is_open(),
+            Turn::Now | Turn::Named => false,
+        }
     }
 
     fn names_program(&self, lines: Lines) -> bool {

@@ -9,7 +9,6 @@ use crate::engine::codes::GGroup;
 use crate::engine::fault::Fault;
 use crate::engine::words::{Address, Words};
 
-use super::infeed::Pattern;
 use super::{is_mode, is_pass_mode, unspecified};
 
 /// The first word G31 to G35, G71 or G72 of a block.
@@ -65,8 +64,7 @@ impl Interpreter<'_> {
         check_divisor(words)?;
         let allowance = words.get(allowance_word).unwrap_or_default();
         let angle = words.get(Address::B).unwrap_or_default();
-        let pattern = words.m_codes().iter().find_map(|code| Pattern::of(*code));
-        let halving = pattern.unwrap_or(self.state.thread.pattern) == Pattern::Halving;
+        let halving = self.state.thread.halves_after(words.m_codes());
         let impossible = match () {
             () if depth == 0 => "D",
             () if height == 0 => "H",

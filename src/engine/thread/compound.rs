@@ -105,7 +105,7 @@ impl Interpreter<'_> {
     }
 
     /// How the depths follow each other (E100L-TINF-01, E100L-TINF-06, E100L-TINF-07).
-    fn sequence(&self, heights: Heights) -> Result<Sequence, Fault> {
+    pub(in crate::engine) fn sequence(&self, heights: Heights) -> Result<Sequence, Fault> {
         let kept = &self.state.thread;
         let zigzag = kept.infeed == Infeed::Zigzag;
         let (first, last) = (heights.first_area(), heights.finishing_area());
@@ -146,6 +146,31 @@ impl Interpreter<'_> {
         self.cut((&pass, number), thread, &cites, sink)
     }
 
+    /// What the motions of a pass but its return cite of pattern, finishing pass and flank.
+    pub(in crate::engine) fn infeed_cites(
+        &self,
+        along: bool,
+        sequence: Sequence,
+        depth: Depth,
+        flank: i64,
+    ) -> Cited {
+        let balanced = !depth.finishing && sequence.is_balanced();
+        let cited = match depth.finishing {
+            true if along => const { RuleSet::of(&[G71_07]) },
+            true => const { RuleSet::of(&[G72_03]) },
+            false => RuleSet::of(&[TINF_01, sequence.rule()]),
+        };
+        let cited = Cited::default().and(cited).by_if(balanced, self.known.balanced);
+        if flank == 0 {
+            return cited;
+        }
+        let side = match self.state.thread.infeed {
+            Infeed::Zigzag => const { RuleSet::of(&[TMOD_01, TMOD_02, TMOD_04]) },
+            _ => const { RuleSet::of(&[TMOD_01, TMOD_02, TMOD_03]) },
+        };
+        cited.and(side).by(self.known.flank)
+    }
+
     fn compound_cites(
         &self,
         compound: &Compound,
@@ -155,23 +180,12 @@ impl Interpreter<'_> {
         is_last: bool,
     ) -> PassCites {
         let along = compound.axis == LeadAxis::Z;
-        let balanced = !depth.finishing && compound.sequence.is_balanced();
-        let mut inner = compound
+        let infeed = self.infeed_cites(along, compound.sequence, depth, pass.flank);
+        let inner = compound
             .every
             .and_if(along, const { RuleSet::of(&[G71_02, TINF_08]) })
-            .by_if(balanced, self.known.balanced);
-        inner = match depth.finishing {
-            true if along => inner.and(const { RuleSet::of(&[G71_07]) }),
-            true => inner.and(const { RuleSet::of(&[G72_03]) }),
-            false => inner.and(RuleSet::of(&[TINF_01, compound.sequence.rule()])),
-        };
-        if pass.flank != 0 {
-            let side = match self.state.thread.infeed {
-                Infeed::Zigzag => const { RuleSet::of(&[TMOD_01, TMOD_02, TMOD_04]) },
-                _ => const { RuleSet::of(&[TMOD_01, TMOD_02, TMOD_03]) },
-            };
-            inner = inner.and(side).by(self.known.flank);
-        }
+            .and(infeed.rules)
+            .by(infeed.readings);
         let (exit, end) = if along { (G71_06, G71_08) } else { (G72_03, G72_03) };
         PassCites {
             every: compound.every,

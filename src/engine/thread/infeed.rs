@@ -82,7 +82,13 @@ impl Formula for Shift {
 impl Interpreter<'_> {
     /// The shift of a pass along the lead axis, by the depth that is left below it and the infeed angle, which is
     /// less than 180 degrees.
-    pub(super) fn flank_shift(&mut self, axis: LeadAxis, rest: i64, angle: i64, number: i64) -> i64 {
+    pub(in crate::engine) fn flank_shift(
+        &mut self,
+        axis: LeadAxis,
+        rest: i64,
+        angle: i64,
+        number: i64,
+    ) -> i64 {
         const SQUARE: i64 = 90_000_000;
         if rest == 0 || angle == 0 {
             return 0;

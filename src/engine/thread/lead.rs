@@ -32,15 +32,21 @@ impl Lead {
 }
 
 impl Interpreter<'_> {
-    /// What a thread needs besides its path: a spindle that turns freely, and a lead.
-    pub(super) fn lead(&self) -> Result<i64, Fault> {
+    /// A thread needs a spindle that turns freely.
+    pub(in crate::engine) fn check_spindle(&self) -> Result<(), Fault> {
         if self.state.c_joined {
             return Err(unspecified(rules::THRD_10, "c_axis"));
         }
-        let kept = &self.state.thread;
-        if kept.phase_matching {
+        if self.state.thread.phase_matching {
             return Err(Fault { name: AlarmName::NotModelled, ..unspecified(rules::THRD_10, "M194") });
         }
+        Ok(())
+    }
+
+    /// What a thread needs besides its path: a spindle that turns freely, and a lead.
+    pub(super) fn lead(&self) -> Result<i64, Fault> {
+        self.check_spindle()?;
+        let kept = &self.state.thread;
         let Some(feed) = self.state.feed.filter(|feed| feed.given == FeedUnit::PerRevolution) else {
             return Fault::raise(AlarmName::NoFeed, rules::THRD_04);
         };

@@ -21,6 +21,7 @@ use super::block::{OneShot, Plan};
 use super::fault::Fault;
 use super::words::{Address, Words};
 use axis::Axes;
+pub use depths::{Depth, Depths, Heights};
 use infeed::{Infeed, Pattern};
 pub use motion::Cited;
 use single::Cycle;
@@ -35,7 +36,7 @@ fn is_pass_mode(motion: u16) -> bool {
     matches!(motion, 31..=33)
 }
 
-const PASS_TAKES: u32 = Address::set(&[
+const PASS_TAKES: u64 = Address::set(&[
     Address::X,
     Address::Z,
     Address::I,
@@ -46,9 +47,9 @@ const PASS_TAKES: u32 = Address::set(&[
     Address::J,
     Address::C,
 ]);
-const LEG_TAKES: u32 =
+const LEG_TAKES: u64 =
     Address::set(&[Address::X, Address::Z, Address::A, Address::E, Address::J, Address::C]);
-const COMPOUND_TAKES: u32 = Address::set(&[
+const COMPOUND_TAKES: u64 = Address::set(&[
     Address::X,
     Address::Z,
     Address::A,
@@ -62,14 +63,14 @@ const COMPOUND_TAKES: u32 = Address::set(&[
 ]);
 
 /// The words, other than those of the axes, that make a thread block of a block in a thread mode.
-pub const WORDS: u32 = PASS_TAKES;
+pub const WORDS: u64 = PASS_TAKES;
 /// The words that G71 takes.
-pub const ALONG_TAKES: u32 = COMPOUND_TAKES | Address::set(&[Address::I, Address::U]);
+pub const ALONG_TAKES: u64 = COMPOUND_TAKES | Address::set(&[Address::I, Address::U]);
 /// The words that G72 takes.
-pub const ACROSS_TAKES: u32 = COMPOUND_TAKES | Address::set(&[Address::K, Address::W]);
+pub const ACROSS_TAKES: u64 = COMPOUND_TAKES | Address::set(&[Address::K, Address::W]);
 
 /// The words that a block in a thread mode takes.
-pub fn takes(motion: u16) -> u32 {
+pub fn takes(motion: u16) -> u64 {
     if is_pass_mode(motion) { PASS_TAKES } else { LEG_TAKES }
 }
 
@@ -134,10 +135,16 @@ impl Kept {
         }
     }
 
+    /// Whether the pattern is that of M73 behind the M codes of a block.
+    pub fn halves_after(&self, codes: &[u16]) -> bool {
+        let own = codes.iter().find_map(|code| Pattern::of(*code));
+        own.unwrap_or(self.pattern) == Pattern::Halving
+    }
+
     /// J belongs to F: an F word sets it to the J word or to 1, a J word alone changes it (E100L-THRD-06).
     #[inline]
     pub fn store_divisor(&mut self, words: &Words, plan: Plan) {
-        const WORDS: u32 = Address::set(&[Address::F, Address::J]);
+        const WORDS: u64 = Address::set(&[Address::F, Address::J]);
         if words.has_any(WORDS) && plan.one_shot != OneShot::Dwell {
             self.divisor = words.get(Address::J).unwrap_or(1);
         }

@@ -1,0 +1,197 @@
+//! Along the blank of mode V, lowered, to where it meets the rough contour (execution of LAP, 12; E100L-AP5-03,
+//! E100L-AP5-06).
+
+use std::cmp::Ordering;
+
+use crate::engine::exact::SlowPaths;
+
+use super::front::{Front, Leave};
+use super::graph::{Joint, Span};
+use super::meeting::{Coordinate, Meeting, meetings};
+use super::value::Value;
+
+/// Where a way along the lowered blank ends.
+#[derive(Clone, Copy, Debug)]
+pub struct Arrival {
+    pub point: Meeting,
+    /// The element of the blank in which it ends.
+    pub element: usize,
+}
+
+/// What of the contour lies at a run.
+#[derive(Clone, Copy, Debug)]
+enum Wall {
+    /// One point.
+    Point(Value),
+    /// The points of a joint from its lowest to its highest one, without end above at the end of the contour, and one
+    /// more to which an arc leads.
+    Joint { before: Option<Value>, low: i128, high: Option<i128> },
+}
+
+impl Wall {
+    fn of(joint: &Joint, is_last: bool) -> Self {
+        Self::Joint { before: joint.before, low: joint.low, high: (!is_last).then_some(joint.high) }
+    }
+
+    fn holds(&self, height: Value, slow: &mut SlowPaths) -> bool {
+        match *self {
+            Self::Point(value) => value.cmp(height, slow) == Ordering::Equal,
+            Self::Joint { before, low, high } => {
+                let inside = height.cmp_whole(low) != Ordering::Less
+                    && high.is_none_or(|high| height.cmp_whole(high) != Ordering::Greater);
+                inside || before.is_some_and(|before| before.cmp(height, slow) == Ordering::Equal)
+            }
+        }
+    }
+
+    /// The first of its points on the way from a height that it does not hold straight to another one.
+    fn first_on(&self, from: i128, to: i128, slow: &mut SlowPaths) -> Option<Value> {
+        let values = match *self {
+            Self::Point(value) => [Some(value), None, None],
+            Self::Joint { before, low, high } => [before, Some(Value::whole(low)), high.map(Value::whole)],
+        };
+        let rises = to > from;
+        let on_way = |value: &Value| {
+            let (begin, end) = (value.cmp_whole(from), value.cmp_whole(to));
+            if rises {
+                begin == Ordering::Greater && end != Ordering::Greater
+            } else {
+                begin == Ordering::Less && end != Ordering::Less
+            }
+        };
+        let found = values.into_iter().flatten().filter(on_way);
+        found.reduce(|first, next| if rises { first.min(next, slow) } else { first.max(next, slow) })
+    }
+}
+
+impl Front {
+    /// The element of the blank with which the way from a point goes on.
+    pub fn first_element(&self, leave: &Leave, slow: &mut SlowPaths) -> usize {
+        let span = self.blank.spans.get(leave.blank).map_or(0, |span| span.element);
+        let Some(joint) = self.blank.joints.get(leave.blank).filter(|_| leave.at_joint) else { return span };
+        if leave.point.run != Coordinate::whole(joint.run) {
+            return span;
+        }
+        let drop = self.drop(leave.times);
+        let rises = |number: &usize| {
+            let end = self.elements.get(*number).map(|element| self.end_height(element) - drop);
+            end.is_some_and(|end| leave.point.height.cmp_whole(end, slow) == Ordering::Less)
+        };
+        joint.elements.clone().find(rises).unwrap_or(span)
+    }
+
+    /// The way along the lowered blank from where the contour was left, or from its beginning: the first point behind
+    /// that which is also one of the contour.
+    pub fn arrival(&self, leave: &Leave, slow: &mut SlowPaths) -> Arrival {
+        let drop = self.drop(leave.times);
+        let mut number = leave.blank;
+        let mut contour = self.starting_span(leave);
+        let mut low = leave.point.run;
+        let mut is_first = true;
+        let mut last = None;
+        while let Some(span) = self.blank.spans.get(number) {
+            let piece = contour.and_then(|contour| self.contour.spans.get(contour));
+            let end = match (contour, piece) {
+                (_, Some(piece)) => piece.to.run.min(span.to.run),
+                (None, None) => {
+                    self.contour.joints.first().map_or(span.to.run, |joint| joint.run.min(span.to.run))
+                }
+                (Some(_), None) => break,
+            };
+            if let Some(piece) = piece {
+                let skip = leave.root.filter(|_| is_first);
+                if let Some(point) = first_crossing((piece, span, drop), (low, end), skip, slow) {
+                    return Arrival { point, element: span.element };
+                }
+            }
+            is_first = false;
+            let next = match contour {
+                None => self.contour.joints.first().filter(|joint| joint.run == end).map(|_| 0),
+                Some(contour) => piece.filter(|piece| piece.to.run == end).map(|_| contour + 1),
+            };
+            let is_end = next.is_some_and(|next| next + 1 >= self.contour.joints.len());
+            let wall = match (next.and_then(|next| self.contour.joints.get(next)), piece) {
+                (Some(joint), _) => Some(Wall::of(joint, is_end)),
+                (None, Some(piece)) => Some(Wall::Point(piece.height(end))),
+                (None, None) => None,
+            };
+            // Where it begins it does not arrive.
+            let wall = wall.filter(|_| low != Coordinate::whole(end));
+            let ends = span.to.run == end;
+            let behind = self.blank.joints.get(number + 1).filter(|_| ends);
+            let arrival = self.arrival_at((span, behind), (end, drop), wall, slow);
+            match arrival {
+                (Some(arrival), _) => return arrival,
+                (None, reached) => last = Some(reached),
+            }
+            if is_end {
+                break;
+            }
+            contour = next.or(contour);
+            number += usize::from(ends);
+            low = Coordinate::whole(end);
+        }
+        last.unwrap_or(Arrival { point: leave.point, element: 0 })
+    }
+
+    /// The span of the contour behind the beginning of a way; none before its start.
+    fn starting_span(&self, leave: &Leave) -> Option<usize> {
+        if leave.root.is_some() || leave.at_joint { Some(leave.contour) } else { None }
+    }
+
+    /// Whether the lowered blank arrives at the contour at a run, and else where it goes on from there.
+    fn arrival_at(
+        &self,
+        (span, joint): (&Span, Option<&Joint>),
+        (run, drop): (i128, i128),
+        wall: Option<Wall>,
+        slow: &mut SlowPaths,
+    ) -> (Option<Arrival>, Arrival) {
+        let arrival = |height: Value, element: usize| Arrival {
+            point: Meeting { run: Coordinate::whole(run), height: Coordinate::Value(height) },
+            element,
+        };
+        let height = span.height(run).plus(-drop);
+        let mut reached = arrival(height, span.element);
+        let holds = |height: Value, slow: &mut SlowPaths| wall.is_some_and(|wall| wall.holds(height, slow));
+        if holds(height, slow) {
+            return (Some(reached), reached);
+        }
+        let Some(joint) = joint else { return (None, reached) };
+        let mut at = joint.first - drop;
+        reached = arrival(Value::whole(at), span.element);
+        if holds(Value::whole(at), slow) {
+            return (Some(reached), reached);
+        }
+        for number in joint.elements.clone() {
+            let Some(to) = self.elements.get(number).map(|element| self.end_height(element) - drop) else {
+                continue;
+            };
+            if let Some(height) = wall.and_then(|wall| wall.first_on(at, to, slow)) {
+                let found = arrival(height, number);
+                return (Some(found), found);
+            }
+            at = to;
+            reached = arrival(Value::whole(at), number);
+        }
+        (None, reached)
+    }
+}
+
+/// The first point in which spans meet behind a coordinate and before a run, behind one of their meetings if one is
+/// given.
+fn first_crossing(
+    (contour, blank, drop): (&Span, &Span, i128),
+    (low, end): (Coordinate, i128),
+    skip: Option<usize>,
+    slow: &mut SlowPaths,
+) -> Option<Meeting> {
+    let begin = contour.from.run.max(blank.from.run);
+    let points = meetings(contour, blank, drop).between((contour, blank, drop), (begin, end), slow);
+    let behind = points.into_iter().enumerate().filter(|(root, _)| skip.is_none_or(|skip| *root > skip));
+    let mut behind = behind.filter_map(|(_, point)| point);
+    match skip {
+        Some(_) => behind.next(),
+        None => behind.find(|point| point.run.cmp(low, slow) == Ordering::Greater),
+    }
+}

@@ -1,0 +1,176 @@
+//! Contour and blank of mode V as graphs over their runs: elements with run are spans, those without stand in the
+//! joints between them (execution of LAP, 12).
+
+use turnspec_oracle::vocabulary::Sense;
+
+use super::outline::{Circle, Element};
+use super::plane::{Axes, Spot};
+use super::value::Value;
+
+/// An element with run.
+#[derive(Clone, Copy, Debug)]
+pub struct Span {
+    /// Its number among the elements.
+    pub element: usize,
+    pub from: Spot,
+    pub to: Spot,
+    pub circle: Option<Circle>,
+}
+
+impl Span {
+    /// Its height at a run between its ends: of the line, or of the circle through its start.
+    pub fn height(&self, run: i128) -> Value {
+        match self.circle {
+            Some(Circle { centre, square, up, .. }) => {
+                let along = run - centre.run;
+                Value::Root { whole: centre.height, side: up, square: (square - along * along).max(0) }
+            }
+            None => {
+                let length = self.to.run - self.from.run;
+                let rise = (run - self.from.run) * (self.to.height - self.from.height);
+                Value::ratio(self.from.height * length + rise, length)
+            }
+        }
+    }
+
+    /// Twice its height half-way between two runs, of which the sum is given.
+    pub fn twice_height(&self, sum: i128) -> Value {
+        match self.circle {
+            Some(Circle { centre, square, up, .. }) => {
+                let along = sum - 2 * centre.run;
+                let square = (4 * square - along * along).max(0);
+                Value::Root { whole: 2 * centre.height, side: up, square }
+            }
+            None => {
+                let length = self.to.run - self.from.run;
+                let rise = (sum - 2 * self.from.run) * (self.to.height - self.from.height);
+                Value::ratio(2 * self.from.height * length + rise, length)
+            }
+        }
+    }
+
+    /// The run, about, between two runs at which its slope is that of another span, if there is one.
+    #[allow(clippy::cast_precision_loss)]
+    pub fn parallel_to(&self, other: &Self) -> Option<f64> {
+        match (self.circle, other.circle) {
+            (None, None) => None,
+            (Some(circle), None) => Some(circle.run_of_slope(other.slope())),
+            (None, Some(circle)) => Some(circle.run_of_slope(self.slope())),
+            (Some(circle), Some(other)) => {
+                let apart = (other.centre.run - circle.centre.run) as f64;
+                let (radius, radius_2) = ((circle.square as f64).sqrt(), (other.square as f64).sqrt());
+                let sum = if circle.up == other.up { radius - radius_2 } else { radius + radius_2 };
+                (sum != 0.0).then(|| circle.centre.run as f64 + radius * apart / sum)
+            }
+        }
+    }
+
+    #[allow(clippy::cast_precision_loss)]
+    fn slope(&self) -> f64 {
+        (self.to.height - self.from.height) as f64 / (self.to.run - self.from.run) as f64
+    }
+
+    /// About its height at a run.
+    #[allow(clippy::cast_precision_loss)]
+    pub fn estimate(&self, run: f64) -> f64 {
+        match self.circle {
+            Some(Circle { centre, square, up, .. }) => {
+                let along = run - centre.run as f64;
+                centre.height as f64 + f64::from(up) * (square as f64 - along * along).max(0.0).sqrt()
+            }
+            None => self.from.height as f64 + (run - self.from.run as f64) * self.slope(),
+        }
+    }
+
+    /// The point over or under its centre, if it lies between its ends.
+    pub fn top(&self) -> Option<(i128, Value)> {
+        let Circle { centre, square, up, .. } = self.circle?;
+        let inside = self.from.run < centre.run && centre.run < self.to.run;
+        inside.then_some((centre.run, Value::Root { whole: centre.height, side: up, square }))
+    }
+}
+
+/// Where one span ends and the next one begins, with the elements without run between them.
+#[derive(Clone, Debug)]
+pub struct Joint {
+    pub run: i128,
+    /// The height to which the circle or line before it leads.
+    pub before: Option<Value>,
+    /// The heights in which it begins and ends.
+    pub first: i128,
+    pub last: i128,
+    /// The lowest and the highest of its points.
+    pub low: i128,
+    pub high: i128,
+    /// Its elements, by number.
+    pub elements: std::ops::Range<usize>,
+}
+
+/// The spans of an outline, and the joint before each of them and behind the last one.
+#[derive(Debug)]
+pub struct Graph {
+    pub spans: Vec<Span>,
+    pub joints: Vec<Joint>,
+}
+
+impl Graph {
+    /// The graph of elements in a row that begin in a point.
+    pub fn new(axes: Axes, start: Spot, elements: &[Element]) -> Self {
+        let mut graph = Self { spans: Vec::with_capacity(elements.len()), joints: Vec::new() };
+        let mut joint = Joint {
+            run: start.run,
+            before: None,
+            first: start.height,
+            last: start.height,
+            low: start.height,
+            high: start.height,
+            elements: 0..0,
+        };
+        for (number, element) in elements.iter().enumerate() {
+            let (from, to) = (axes.spot(element.from), axes.spot(element.to));
+            if from.run == to.run {
+                joint.last = to.height;
+                joint.low = joint.low.min(to.height);
+                joint.high = joint.high.max(to.height);
+                joint.elements.end = number + 1;
+                continue;
+            }
+            let circle = element.arc.map(|(sense, centre)| circle(axes, from, sense, axes.spot(centre)));
+            let span = Span { element: number, from, to, circle };
+            let behind = Joint {
+                run: to.run,
+                before: Some(span.height(to.run)),
+                first: to.height,
+                last: to.height,
+                low: to.height,
+                high: to.height,
+                elements: number + 1..number + 1,
+            };
+            graph.joints.push(std::mem::replace(&mut joint, behind));
+            graph.spans.push(span);
+        }
+        graph.joints.push(joint);
+        graph
+    }
+
+    /// The span of an element with run.
+    pub fn span_of(&self, element: usize) -> Option<&Span> {
+        let place = self.spans.binary_search_by_key(&element, |span| span.element).ok()?;
+        self.spans.get(place)
+    }
+}
+
+impl Circle {
+    /// The run at which it has a slope, about.
+    #[allow(clippy::cast_precision_loss)]
+    fn run_of_slope(&self, slope: f64) -> f64 {
+        let radius = (self.square as f64).sqrt();
+        self.centre.run as f64 - f64::from(self.up) * slope * radius / slope.hypot(1.0)
+    }
+}
+
+fn circle(axes: Axes, from: Spot, sense: Sense, centre: Spot) -> Circle {
+    let (along, across) = (from.run - centre.run, from.height - centre.height);
+    let clockwise = (sense == Sense::Clockwise) == axes.keeps_sense();
+    Circle { centre, square: along * along + across * across, up: if clockwise { 1 } else { -1 }, side: 1 }
+}
