@@ -14,10 +14,12 @@ mod reset;
 mod spindle;
 mod tool;
 mod words;
+mod written;
 
 pub use carry_out::{before_motion, end, end_code, stop};
 pub use check::{Before, Change, Plan, check};
 pub use feed::{active_feed, dwell, in_force as feed_in_force, readings as feed_readings};
 pub use reset::{mode, reset};
 pub use spindle::{motion_speed, turning_speed};
-pub use words::{Other, Words, Written, evaluate, evaluate_call};
+pub use words::{Other, Words, evaluate, evaluate_call};
+pub use written::Written;
