@@ -5,6 +5,7 @@
 
 mod ahead;
 mod channel;
+mod definition;
 mod lap;
 mod meeting;
 mod passes;

@@ -5,7 +5,7 @@
 
 use proptest::prelude::*;
 use turnspec_oracle::vocabulary::notation::render;
-use turnspec_oracle::vocabulary::{Action, Event, Motion, Part, Sense, Setup};
+use turnspec_oracle::vocabulary::{Action, Event, Length, Motion, NoseRadius, Part, Sense, Setup};
 
 fn trace(program: &str, setup: &Setup) -> Vec<Event> {
     let mut trace = Vec::new();
@@ -34,6 +34,55 @@ enum Step {
     },
 }
 
+/// How a contour lies: outside and toward −Z, or an image of that.
+#[derive(Clone, Copy, Default, Debug)]
+struct Image {
+    /// X falls with the height.
+    inside: bool,
+    /// Z rises with the run.
+    forward: bool,
+}
+
+impl Image {
+    fn up(self) -> i32 {
+        if self.inside { -1 } else { 1 }
+    }
+
+    fn onward(self) -> i32 {
+        if self.forward { 1 } else { -1 }
+    }
+
+    /// The words of a point, its height a radius.
+    fn point(self, (run, height): (i32, i32)) -> String {
+        let x = if self.inside { 400 - 2 * height } else { 2 * height };
+        format!("X{x} Z{}", self.onward() * run)
+    }
+}
+
+/// A program that cuts a contour rough.
+fn program(
+    contour: &[Step],
+    blank: Option<&[Step]>,
+    call: &str,
+    start: (i32, i32),
+    image: Image,
+) -> (String, Vec<Shape>) {
+    let (text, shapes, _) = blocks(contour, (0, 10), 2, image);
+    let point = |run, height| image.point((run, height));
+    let blank = blank.map_or_else(String::new, |steps| {
+        let (text, ..) = blocks(steps, (0, 14), 2, image);
+        format!("N1 G83\nG01 {}\n{text}", point(0, 14))
+    });
+    let name = if blank.is_empty() { "N1" } else { "N2" };
+    let (code, words) = call.split_once(' ').unwrap_or((call, ""));
+    let program = format!(
+        "{blank}{name} G81\nG00 {}\n{text}G80\nG00 {}\n{code} N1 {words} F0.2\nM02\n",
+        point(0, 10),
+        point(-start.1, start.0 + 1),
+    );
+    (program, shapes)
+}
+
 /// An element in the plane of runs and heights, for comparison only.
 #[derive(Clone, Copy, Debug)]
 struct Shape {
@@ -54,7 +103,12 @@ fn steps(most: usize) -> impl Strategy<Value = Vec<Step>> {
 }
 
 /// The blocks of steps from a point, X a radius and Z falling with the run, and their shapes.
-fn blocks(steps: &[Step], (mut run, mut height): (i32, i32), floor: i32) -> (String, Vec<Shape>, (i32, i32)) {
+fn blocks(
+    steps: &[Step],
+    (mut run, mut height): (i32, i32),
+    floor: i32,
+    image: Image,
+) -> (String, Vec<Shape>, (i32, i32)) {
     let (mut text, mut shapes) = (String::new(), Vec::new());
     for step in steps {
         let (length, rise, arc) = match *step {
@@ -77,10 +131,11 @@ fn blocks(steps: &[Step], (mut run, mut height): (i32, i32), floor: i32) -> (Str
         let from = (run, height);
         (run, height) = (run + length, height + rise);
         text += &match arc {
-            None => format!("G01 X{} Z{}\n", 2 * height, -run),
+            None => format!("G01 {}\n", image.point((run, height))),
             Some((_, over, (aside, above))) => {
-                let code = if over { "G03" } else { "G02" };
-                format!("{code} X{} Z{} I{above} K{}\n", 2 * height, -run, -aside)
+                let code = if over == (image.inside == image.forward) { "G03" } else { "G02" };
+                let (i, k) = (image.up() * above, image.onward() * aside);
+                format!("{code} {} I{i} K{k}\n", image.point((run, height)))
             }
         };
         let at = |(run, height): (i32, i32)| (f64::from(run), f64::from(height));
@@ -159,6 +214,15 @@ fn points(from: (f64, f64), action: &Action) -> Vec<(f64, f64)> {
     }
 }
 
+/// The kind of an event, of an alarm with its name and detail.
+fn kind(event: &Event) -> String {
+    render(event)
+        .split(' ')
+        .take_while(|word| !word.starts_with("line="))
+        .filter(|word| !word.contains('=') || word.starts_with("name") || word.starts_with("detail"))
+        .collect()
+}
+
 fn motion(action: &Action) -> Option<&Motion> {
     match action {
         Action::Rapid { motion } | Action::Linear { motion, .. } | Action::Arc { motion, .. } => Some(motion),
@@ -194,22 +258,13 @@ proptest! {
         depth in 1..9,
         start in (10..40, 0..4),
     ) {
-        let (text, shapes, end) = blocks(&contour, (0, 10), 2);
-        let (blank_text, blank_shapes, _) = blocks(&blank, (0, 14), 2);
+        let code = if copies && has_blank { "G86" } else { "G85" };
+        let call = format!("{code} D{depth}");
+        let (program, shapes) =
+            program(&contour, has_blank.then_some(blank.as_slice()), &call, start, Image::default());
         if shapes.iter().all(|shape| shape.to.0 == 0.0) {
             return Ok(());
         }
-        let blank = if has_blank && !blank_shapes.is_empty() {
-            format!("N1 G83\nG01 X28 Z0\n{blank_text}N2 G81\n")
-        } else {
-            "N1 G81\n".to_owned()
-        };
-        let code = if copies && has_blank && !blank_shapes.is_empty() { "G86" } else { "G85" };
-        let (height, run) = start;
-        let program = format!(
-            "{blank}G00 X20 Z0\n{text}G80\nG00 X{} Z{run}\n{code} N1 D{depth} F0.2\nM02\n",
-            2 * (height + 1),
-        );
         let mut setup = Setup::default();
         setup.limits.steps = 3_000;
         let trace = trace(&program, &setup);
@@ -219,7 +274,42 @@ proptest! {
         let refused = ["detail=direction", "contour_direction", "descending_slopes", "detail=start", "detail=blank",
             "lap_start_point", "lap_allowance"];
         let expected = last.starts_with("end") || refused.iter().any(|alarm| last.contains(alarm));
-        prop_assert!(expected, "{last}\n{program} {end:?}");
+        prop_assert!(expected, "{last}\n{program}");
+    }
+
+    /// E100L-LAP-20, E100L-LAP-21, E100L-AP1-02: inside work, and work toward +Z, are images of outside work toward −Z.
+    #[test]
+    fn images_of_a_contour_are_cut_alike(
+        contour in steps(10),
+        blank in steps(6),
+        has_blank: bool,
+        copies: bool,
+        depth in 1..9,
+        allowance in 0..3,
+        start in (10..40, 0..4),
+        inside: bool,
+        forward: bool,
+    ) {
+        let call = format!("{} D{depth} U{allowance} W0.{allowance}", if copies { "G86" } else { "G85" });
+        let blank = has_blank.then_some(blank.as_slice());
+        let mut setup = Setup::default();
+        setup.limits.steps = 2_000;
+        let motions = |image: Image| {
+            let (program, _) = program(&contour, blank, &call, start, image);
+            let line = |event: &Event| match motion(&event.action) {
+                Some(motion) => {
+                    let x = motion.program.x.0;
+                    let x = if image.inside { 400_000_000 - x } else { x };
+                    let z = motion.program.z.0 * i64::from(-image.onward());
+                    format!("{x} {z} {:?} {:?} {:?} {}", motion.pass, motion.part, event.rules, kind(event))
+                }
+                None => kind(event),
+            };
+            (trace(&program, &setup).iter().map(line).collect::<Vec<_>>(), program)
+        };
+        let (known, _) = motions(Image::default());
+        let (image, program) = motions(Image { inside, forward });
+        prop_assert_eq!(known, image, "{}", program);
     }
 }
 
@@ -245,16 +335,49 @@ fn a_definition_that_is_passed_over_is_only_parsed() {
 /// E100L-LAP-16: what a contour leaves over in compensation is dropped with its reading.
 #[test]
 fn a_displacement_of_the_reading_is_dropped() {
-    let mut setup = Setup::default();
-    setup.nose_radius = vec![turnspec_oracle::vocabulary::NoseRadius {
-        number: 1,
-        x: turnspec_oracle::vocabulary::Length(800_000),
-        z: turnspec_oracle::vocabulary::Length(800_000),
-    }];
+    let nose_radius = vec![NoseRadius { number: 1, x: Length(800_000), z: Length(800_000) }];
+    let setup = Setup { nose_radius, ..Setup::default() };
     let program = concat!(
         "NA G81\nG00 X20 Z2\nG42 G01 Z0\nX24 Z-10\nX36\nG40\nG80\n",
         "G00 X40 Z4 T010101\nG85 NA D20 F0.3\nG85 NA D20 F0.3\nM02\n",
     );
     let last = trace(program, &setup).last().map(render).unwrap_or_default();
     assert!(last.starts_with("end"), "{last}");
+}
+
+/// E100L-GOTO-03: passes, and cuts from the contour, are steps, and none is looked for before its turn.
+#[test]
+fn fine_depths_go_on_step_by_step() {
+    let mut setup = Setup::default();
+    setup.limits.steps = 200;
+    for (code, contour) in [
+        ("G85", "G00 X20 Z0\nG01 X90000 Z-50\n"),
+        ("G86", "G00 X90000 Z0\nG01 X20 Z-50\nG03 X80 Z-80 I0 K-30\n"),
+        ("G86", "G00 X90000 Z0\nG01 Z-5\nX20\nZ-80\n"),
+    ] {
+        let blank = "N1 G83\nG01 X90000 Z0\nG01 X90020 Z-20\nX90100 Z-40\nZ-80\nN2 G81\n";
+        let program = format!("{blank}{contour}G80\nG00 X95000 Z9\n{code} N1 D0.001 F0.2\nM02\n");
+        let trace = trace(&program, &setup);
+        let last = trace.last().map(render).unwrap_or_default();
+        assert!(last.contains("step_limit") && last.contains("line=1"), "{last}\n{program}");
+        assert!(trace.len() > 180, "{}", trace.len());
+    }
+}
+
+/// E100L-AP5-06: a slope that falls below the blank is left at each multiple of D, the arc of a blank included.
+#[test]
+fn a_falling_contour_is_left_at_each_depth() {
+    let program = concat!(
+        "N1 G83\nG01 X70 Z0\nG03 X80 Z-5 K-5\nG01 Z-60\nN2 G81\n",
+        "G00 X60 Z0\nG01 Z-20\nX40 Z-40\nZ-60\nX80\nG80\n",
+        "G00 X100 Z9\nG86 N1 D8 F0.2\nM02\n",
+    );
+    let leaves: Vec<String> = trace(program, &Setup::default())
+        .iter()
+        .map(render)
+        .filter(|event| event.starts_with("linear") && event.contains("part=return"))
+        .map(|event| event.split(' ').skip(1).take(2).collect::<Vec<_>>().join(" "))
+        .collect();
+    // K2 rises along its arc over the contour, where it is 3 above its centre and 4 in front of it; K3 and K4 lie level.
+    assert_eq!(leaves, ["x=60 z=-1", "x=56 z=-24", "x=48 z=-32"], "{leaves:?}");
 }

@@ -15,6 +15,10 @@ pub(crate) fn block(sequence: &str, body: &Body) -> String {
         Body::Items(items) => name + &joined(items),
         Body::Noex(items) => format!("{name}NOEX {}", joined(items)),
         Body::Statement(each) => name + &statement(each),
+        Body::ContourCall(contour, items) => {
+            let (head, others) = items.split_at(items.len().min(1));
+            format!("{name}{} {contour} {}", joined(head), joined(others))
+        }
         Body::Communication(each) => format!("{name}{} {}", each.keyword(), communication(each)),
     }
 }

@@ -7,7 +7,7 @@ use crate::path::Point;
 use crate::state::StoredFeed;
 use crate::vocabulary::rule_ids::*;
 use crate::vocabulary::{
-    Action, AlarmName, Angle, FeedRate, LeadAxis, Motion, ReadingSet, RuleId, RuleSet, Sense,
+    Action, AlarmName, Angle, FeedRate, LeadAxis, Motion, Reading, ReadingSet, RuleId, RuleSet, Sense,
 };
 
 /// A motion of a blank or a contour.
@@ -118,7 +118,9 @@ fn kind(event: &Emission) -> Option<(Kind, Motion)> {
             (Kind::Arc((centre_x.0, centre_z.0), sense), motion)
         }
         Action::Thread { motion, lead, axis, change, start, .. } => {
-            let (rules, readings) = (of_leg(event.rules), event.readings);
+            let along_x = event.readings.iter().filter(|reading| matches!(reading, Reading::FeedLength(_)));
+            let readings = along_x.fold(ReadingSet::default(), ReadingSet::with);
+            let rules = of_leg(event.rules);
             (Kind::Leg(Box::new(Leg { lead, axis, change, start, rules, readings })), motion)
         }
         _ => return None,

@@ -14,6 +14,7 @@ mod reset;
 mod spindle;
 mod tool;
 mod words;
+mod written;
 
 pub use carry_out::{before_motion, end, end_code, stop};
 pub use check::{Before, Change, Plan, check};
@@ -23,4 +24,5 @@ pub use feed::{
 pub use miscellaneous::by_cycle;
 pub use reset::{mode, reset};
 pub use spindle::{motion_speed, turning_speed};
-pub use words::{Other, Words, Written, evaluate, evaluate_call};
+pub use words::{Other, Words, evaluate, evaluate_call};
+pub use written::Written;

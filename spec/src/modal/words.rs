@@ -3,6 +3,7 @@
 use std::ops::Range;
 
 use super::machine;
+use super::written::Written;
 use crate::controls::e100l::g_codes::{GCode, GGroup, g_code};
 use crate::controls::e100l::m_codes::{MCode, group_of, m_code};
 use crate::controls::e100l::units;
@@ -52,31 +53,6 @@ pub struct Words {
     pub feeds: Vec<(Address, Exact)>,
     /// The block that a call of LAP names (E100L-LAP-09).
     pub contour: Option<Label>,
-}
-
-/// A word by what names it.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Written {
-    /// A G word.
-    G(u16),
-    /// An M word.
-    M(u16),
-    /// A word of another address.
-    Word(Address),
-    /// CALRG.
-    MajorArc,
-}
-
-impl Written {
-    /// The code, or the address.
-    pub fn label(self) -> Label {
-        match self {
-            Self::G(code) => Label::of_code(b'G', code),
-            Self::M(code) => Label::of_code(b'M', code),
-            Self::Word(address) => address.label(),
-            Self::MajorArc => Label::new("CALRG"),
-        }
-    }
 }
 
 /// A word other than G, M and F; `address` is none for CALRG.

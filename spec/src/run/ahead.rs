@@ -1,7 +1,7 @@
 //! What look-ahead sees: the blocks behind a corner (E100L-ANG-05, E100L-ANG-06).
 
 use super::channel::Channel;
-use super::lap::refuse_content;
+use super::definition::refuse_content;
 use super::reading::{Block, Content};
 use crate::fault::{Fault, Outcome};
 use crate::lap;
