@@ -253,7 +253,12 @@ fn test(case: &Case, all: bool) -> bool {
     for path in cuts {
         for (run, height) in &path.points {
             let below = lowest(*run) - height;
-            assert!(!below.is_finite() || below < 5.0, "{below} below at {run} in\n{}", case.program);
+            if below.is_finite() && below > 5.0 {
+                // Where the contour is steep, it is no more than near.
+                let near = contour.iter().map(|path| distance(path, (*run, *height)));
+                let near = near.fold(f64::INFINITY, f64::min);
+                assert!(near < 2.0, "{below} below at {run} in\n{}", case.program);
+            }
         }
     }
     true
