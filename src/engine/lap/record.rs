@@ -1,7 +1,7 @@
 //! Taking note of the motions of a definition as their events come (execution of LAP, 5, "Steps").
 
 use turnspec_oracle::vocabulary::rule_ids::*;
-use turnspec_oracle::vocabulary::{Action, Event, Motion, RuleSet, Sink};
+use turnspec_oracle::vocabulary::{Action, Event, LeadAxis, Motion, ReadingSet, RuleSet, Sink};
 
 use crate::engine::Interpreter;
 use crate::engine::arithmetic::plane::Point;
@@ -29,6 +29,7 @@ impl Interpreter<'_> {
     /// Takes note of an event, which belongs to a block with a mark; whether it is not shown.
     pub(in crate::engine) fn take_note(&mut self, event: &Event, mark: u32) -> bool {
         let reads = self.lap.reads();
+        let of_x = self.known.feed_length;
         let Some(definition) = self.lap.definition_mut() else { return reads && !is_shown(&event.action) };
         let (motion, course) = match event.action {
             Action::Rapid { motion } => (motion, Course::Rapid),
@@ -40,7 +41,8 @@ impl Interpreter<'_> {
                 definition.has_leg = true;
                 let rules = OF_LEG.as_slice().iter().filter(|rule| event.rules.as_slice().contains(rule));
                 let rules = rules.copied().collect();
-                (motion, Course::Leg(Leg { lead, axis, change, start, rules, readings: event.readings }))
+                let readings = if axis == LeadAxis::X { of_x } else { ReadingSet::default() };
+                (motion, Course::Leg(Leg { lead, axis, change, start, rules, readings }))
             }
             _ => return reads && !is_shown(&event.action),
         };

@@ -1,6 +1,8 @@
 //! Rough cycles of contours that look like chance: what they cut, they cut along the contour and nowhere below it.
 
-use turnspec_oracle::vocabulary::{Action, AlarmName, Event, Part, Sense, Setup};
+use turnspec_oracle::vocabulary::{
+    Action, AlarmName, Event, Length, NoseRadius, Part, ProgramText, Sense, Setup, UnitSystem,
+};
 
 use crate::engine::run;
 
@@ -253,7 +255,12 @@ fn test(case: &Case, all: bool) -> bool {
     for path in cuts {
         for (run, height) in &path.points {
             let below = lowest(*run) - height;
-            assert!(!below.is_finite() || below < 5.0, "{below} below at {run} in\n{}", case.program);
+            if below.is_finite() && below > 5.0 {
+                // Where the contour is steep, it is no more than near.
+                let near = contour.iter().map(|path| distance(path, (*run, *height)));
+                let near = near.fold(f64::INFINITY, f64::min);
+                assert!(near < 2.0, "{below} below at {run} in\n{}", case.program);
+            }
         }
     }
     true
@@ -271,29 +278,140 @@ fn cases(code: &str, blank: bool, count: u32, least: u32) {
 
 #[test]
 fn bar_turning_cuts_the_contour_and_nothing_below() {
-    cases("G85", false, 3000, 1000);
+    cases("G85", false, 1500, 500);
 }
 
 #[test]
 fn high_speed_turning_cuts_the_contour_and_nothing_below() {
-    cases("G85", true, 3000, 500);
+    cases("G85", true, 1000, 200);
 }
 
 #[test]
 fn copying_a_bar_cuts_the_contour_and_nothing_below() {
-    cases("G86", true, 3000, 500);
+    cases("G86", true, 600, 100);
+}
+
+/// A rough cycle with a contour of 10 000 elements, lines or arcs by turns, and how many events it has.
+fn long(code: &str, blank: &str, arcs: bool) -> usize {
+    let mut text = format!("{blank}NAT1 G81\nG00 X20 Z0\nG01\n");
+    for step in 1..=10_000 {
+        let (x, z) = (number(20_000 + step * 10), number(step * 5));
+        let word = if !arcs || step % 2 == 0 { "G01" } else { "G03" };
+        let radius = if word == "G03" { " L0.005" } else { "" };
+        text.push_str(&format!("{word} X{x} Z-{z}{radius}\n"));
+    }
+    let name = if blank.is_empty() { "NAT1" } else { "NAT2" };
+    text.push_str(&format!("G80\nG00 X130 Z10\n{code} {name} D1 F0.3\nM02\n"));
+    let begun = std::time::Instant::now();
+    let events = trace(&text, &Setup::default());
+    assert_eq!(alarm(&events), None);
+    let elapsed = begun.elapsed();
+    assert!(elapsed.as_secs() < 20, "{elapsed:?}");
+    events.len()
 }
 
 #[test]
 fn a_long_contour_is_rough_soon() {
-    let mut text = String::from("NAT1 G81\nG00 X20 Z0\nG01\n");
-    for step in 1..=10_000 {
-        text.push_str(&format!("X{} Z-{}\n", number(20_000 + step * 10), number(step * 2)));
+    let blank = "NAT2 G83\nG01 X20 Z0\nX30\nX120 Z-30\nZ-50\n";
+    for arcs in [false, true] {
+        assert!(long("G85", "", arcs) > 10_000);
+        assert!(long("G86", "", arcs) > 1_000_000);
+        assert!(long("G85", blank, arcs) > 10_000);
+        assert!(long("G86", blank, arcs) > 10_000);
     }
-    text.push_str("G80\nG00 X130 Z2\nG85 NAT1 D0.01 F0.3\nM02\n");
-    let begun = std::time::Instant::now();
-    let events = trace(&text, &Setup::default());
-    assert_eq!(alarm(&events), None);
-    assert!(events.len() > 50_000, "{} events", events.len());
-    assert!(begun.elapsed().as_secs() < 20, "{:?}", begun.elapsed());
+}
+
+fn pick<'t>(seed: &mut u64, texts: &[&'t str]) -> &'t str {
+    let place = usize::try_from(chance(seed, texts.len() as u64)).unwrap_or_default();
+    texts.get(place).copied().unwrap_or_default()
+}
+
+/// A block of a definition, reasonable or not.
+fn block(seed: &mut u64, thread: bool, at: u64) -> String {
+    const CODES: &[&str] = &[
+        "", "", "", "G01", "G01", "G02", "G03", "G91", "G90", "G00", "G42", "G41", "G40", "G75", "G76", "G80",
+    ];
+    const THREADS: &[&str] = &["", "G34", "G34", "G35", "G01", "G91", "G90"];
+    const OTHERS: &[&str] = &["E0.2", "F0.3", "L2", "I5", "K-3", "A30", "A-120", "L0.5", "I-2", "K4"];
+    const STATEMENTS: &[&str] =
+        &["CALL O1", "IF [V1 LT 2] N7", "N7 V1=V1+1", "GOTO N8", "N8 RTS", "M85", "C10", "(A)"];
+    if chance(seed, 60) == 0 {
+        return format!("{}\n", pick(seed, STATEMENTS));
+    }
+    if at > 0 && chance(seed, 4) > 0 {
+        let z = i64::try_from(at).unwrap_or_default() * 2000;
+        let x = number(between(seed, 1, 20) * 1000);
+        return format!("{} X{x} Z-{}\n", if thread { "G34" } else { "G01" }, number(z));
+    }
+    let codes = match (at, thread) {
+        (0, _) => &["G00", "G00", "G01"],
+        (_, true) => THREADS,
+        _ => CODES,
+    };
+    let mut text = pick(seed, codes).to_owned();
+    for letter in ["X", "Z"] {
+        if chance(seed, 4) > 0 {
+            let far = if chance(seed, 60) == 0 { 5_000_000 } else { 1 };
+            text.push_str(&format!("{letter}{}", number(between(seed, -10, 10) * 1000 * far / 3)));
+        }
+    }
+    if chance(seed, 3) == 0 {
+        text.push_str(pick(seed, OTHERS));
+    }
+    text.push('\n');
+    text
+}
+
+#[test]
+fn no_words_break_a_cycle() {
+    let mut seed = 3;
+    let mut events = 0;
+    for _ in 0..60_000 {
+        let mut setup = Setup::default();
+        setup.limits.steps = 400;
+        setup.parameters.lap_relief = if chance(&mut seed, 2) == 0 { 0 } else { 9999 };
+        setup.parameters.lap_clearance = pick(&mut seed, &["0", "2000", "99999"]).parse().unwrap_or_default();
+        if chance(&mut seed, 4) == 0 {
+            setup.unit_system = UnitSystem::Inch;
+        }
+        let call = pick(&mut seed, &["G85", "G85", "G86", "G86", "G87", "G88"]);
+        let blank = chance(&mut seed, 2) == 0;
+        let mut text = String::new();
+        if blank {
+            text.push_str("NAT2 G83\n");
+            for at in 0..1 + chance(&mut seed, 5) {
+                text.push_str(&block(&mut seed, false, at));
+            }
+        }
+        text.push_str(pick(&mut seed, &["NAT1 G81\n", "NAT1 G82\n"]));
+        for at in 0..2 + chance(&mut seed, 8) {
+            text.push_str(&block(&mut seed, call == "G88", at));
+        }
+        text.push_str(pick(&mut seed, &["G80\n", "G80 G40 X5\n", "G80 X9 Z-4\n"]));
+        let start = (between(&mut seed, -20, 20), between(&mut seed, -10, 20));
+        text.push_str(&format!("T010101 G00 X{} Z{} F0.2\n", start.0, start.1));
+        let name = if blank && call != "G88" { "NAT2" } else { "NAT1" };
+        text.push_str(&format!("{call} {name}"));
+        text.push_str(match call {
+            "G87" => "",
+            "G88" => " D0.7 H2",
+            _ => pick(&mut seed, &[" D1", " D0.3", " D7"]),
+        });
+        let words: &[&str] = match call {
+            "G88" => &[" B60", " U0.5", " W0.5", " M33", " M74", " M75"],
+            "G87" => &[" U0.5", " W0.2"],
+            _ => &[" U0.5", " W0.2", " M85", " F0.1", " G84 XA=1 DA=0.2", " G84 ZA=1 FA=2"],
+        };
+        for word in words {
+            if chance(&mut seed, 5) == 0 {
+                text.push_str(word);
+            }
+        }
+        text.push_str("\nG01 X30\nM02\n");
+        let size = Length(800_000);
+        setup.nose_radius.push(NoseRadius { number: 1, x: size, z: size });
+        setup.library.insert("A.SUB".to_owned(), ProgramText(b"O1\nG01 X3\nRTS\n".to_vec()));
+        events += trace(&text, &setup).len();
+    }
+    assert!(events > 200_000, "{events} events");
 }
