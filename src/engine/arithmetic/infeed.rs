@@ -6,6 +6,7 @@
 use turnspec_oracle::vocabulary::ThreadFlank;
 
 use super::round::Rounding;
+use crate::engine::planted::{self, Bug};
 
 /// The square of a depth.
 #[must_use]
@@ -18,7 +19,8 @@ pub fn square(depth: i64) -> i128 {
 #[must_use]
 pub fn halving(number: i64, step: i64, target: i64) -> Option<i64> {
     let before = target - step;
-    let steps = before / step + i64::from(before % step != 0);
+    let rest = before % step != 0 && !planted::is(Bug::RemainderLeft);
+    let steps = before / step + i64::from(rest);
     match number - steps {
         ..=0 => Some(number.saturating_mul(step).min(before)),
         parts @ 1..=3 => Some(Rounding::HalfAway.divide_narrow((target << parts) - step, 1 << parts)),
@@ -36,7 +38,9 @@ pub fn steps(number: i64, step: i64, target: i64) -> Option<i64> {
 /// number.
 #[must_use]
 pub fn areas(number: i64, step: i64, target: i64) -> Option<i128> {
-    Some(i128::from(number).saturating_mul(square(step))).filter(|area| *area < square(target))
+    let area = i128::from(number).saturating_mul(square(step));
+    let twice = area == square(target) && planted::is(Bug::TargetTwice);
+    (area < square(target) || twice).then_some(area)
 }
 
 /// How many passes remove at most an area each, the first of them aside, until the target is reached (E100L-TINF-06).
@@ -46,7 +50,8 @@ pub fn balanced_count(step: i64, target: i64, area: i128) -> i64 {
     if rest <= 0 || area <= 0 {
         return 1;
     }
-    i64::try_from(Rounding::Up.divide(rest, area) + 1).unwrap_or(i64::MAX)
+    let rounding = if planted::is(Bug::BalancedCut) { Rounding::Cut } else { Rounding::Up };
+    i64::try_from(rounding.divide(rest, area).max(1) + 1).unwrap_or(i64::MAX)
 }
 
 /// The sign of the shift of a pass along the lead axis, on the left flank or on the right one (E100L-TMOD-03).

@@ -4,6 +4,7 @@
 
 use super::root::root_over;
 use super::round::Rounding;
+use crate::engine::planted::{self, Bug};
 
 /// Least and greatest lead: 0.001 and 1000 mm.
 pub const LEAST: i64 = 1_000_000;
@@ -13,7 +14,8 @@ pub const MOST: i64 = 1_000_000_000_000;
 /// The lead of any F that is divided by a J of at least 1; none when it is out of range.
 #[must_use]
 pub fn of_feed(per_revolution: i64, divisor: i64) -> Option<i64> {
-    let lead = Rounding::HalfAway.divide_narrow(per_revolution, divisor);
+    let rounding = if planted::is(Bug::LeadCut) { Rounding::Cut } else { Rounding::HalfAway };
+    let lead = rounding.divide_narrow(per_revolution, divisor);
     (LEAST..=MOST).contains(&lead).then_some(lead)
 }
 

@@ -7,6 +7,7 @@ use crate::engine::Interpreter;
 use crate::engine::block::OneShot;
 use crate::engine::codes::GGroup;
 use crate::engine::fault::Fault;
+use crate::engine::planted::{self, Bug};
 use crate::engine::words::{Address, Words};
 
 use super::{is_mode, is_pass_mode, unspecified};
@@ -31,7 +32,8 @@ impl Interpreter<'_> {
         let constant =
             words.code_of(GGroup::CuttingSpeed).map_or(self.state.constant_speed, |code| code == 96);
         let code = code_of(words);
-        if constant && (cuts || code.is_some()) {
+        let later = cuts && !planted::is(Bug::ConstantSpeedLater);
+        if constant && (later || code.is_some()) {
             let detail = Label::of_code(b'G', code.unwrap_or(motion));
             return Err(Fault::about(AlarmName::ThreadInConstantSpeed, rules::THRD_01, detail));
         }
@@ -64,7 +66,8 @@ impl Interpreter<'_> {
         check_divisor(words)?;
         let allowance = words.get(allowance_word).unwrap_or_default();
         let angle = words.get(Address::B).unwrap_or_default();
-        let halving = self.state.thread.halves_after(words.m_codes());
+        let codes: &[u16] = if planted::is(Bug::PatternStale) { &[] } else { words.m_codes() };
+        let halving = self.state.thread.halves_after(codes);
         let impossible = match () {
             () if depth == 0 => "D",
             () if height == 0 => "H",

@@ -9,6 +9,7 @@ use turnspec_oracle::vocabulary::rule_ids as rules;
 
 use crate::engine::arithmetic::infeed::{self, square};
 use crate::engine::exact::{Formula, Real, SlowPaths, round, sign};
+use crate::engine::planted::{self, Bug};
 
 /// How the depths follow each other, up to the height less the allowance.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -160,7 +161,8 @@ impl Depths {
         let Heights { height, target, .. } = self.heights;
         let before = if finishing { None } else { self.before_target(slow) };
         if before.is_none() {
-            let more = !finishing && target != height;
+            let spring = planted::is(Bug::SpringPass) && target == height;
+            let more = !finishing && (target != height || spring);
             self.stage = if more { Stage::Finishing } else { Stage::Done };
         }
         let depth = before.unwrap_or(if finishing { height } else { target });

@@ -8,6 +8,7 @@ use turnspec_oracle::vocabulary::{SpeedLimit, SpindleState};
 use crate::engine::Interpreter;
 use crate::engine::arithmetic::run_out;
 use crate::engine::fault::Fault;
+use crate::engine::planted::{self, Bug};
 use crate::engine::state::X;
 
 use super::axis::Axes;
@@ -63,7 +64,8 @@ impl Interpreter<'_> {
         if !turns || choice.value == 0 {
             return Err(unspecified(rules::TCHM_03, "speed"));
         }
-        let rate = i128::from(self.setup.parameters.thread_chamfer_feed);
+        let feed = self.setup.parameters.thread_chamfer_feed;
+        let rate = i128::from(if planted::is(Bug::RateOfParameterLost) { 640 } else { feed });
         let exit = run.exit(length, rate, choice.value)?;
         Ok(Some(Exit { clamped: choice.limit == Some(SpeedLimit::Clamp), ..exit }))
     }
@@ -78,13 +80,13 @@ impl Run {
         let from = run_out::begin(end, way, length, axes.lead_halves());
         let (whole, rest) = (axes.twice_length(self.begin, end), axes.twice_length(from, end));
         let level = run_out::level_at(self.first, self.last, whole, rest);
-        let pitch = lead.at(whole - rest);
+        let pitch = lead.at(if planted::is(Bug::ChamferOfFirstLead) { 0 } else { whole - rest });
         let unit = run_out::unit(rate, axes.level_halves());
         let (rise, turn) = (run_out::rise(unit, rest), run_out::turn(speed, pitch));
         let room = side * (i128::from(start_level) - i128::from(level));
-        if !run_out::reaches_start(room, rise, turn) {
+        if !run_out::reaches_start(room, rise, turn) || planted::is(Bug::ChamferBeyondStart) {
             let above = side * (i128::from(level) - i128::from(self.last));
-            if run_out::is_deeper(above, rise, turn) {
+            if run_out::is_deeper(above, rise, turn) && !planted::is(Bug::OpeningTaperAllowed) {
                 return Err(unspecified(rules::TCHM_04, "taper"));
             }
             let first = ((end, run_out::withdrawn(level, side, rise, turn)), pitch);

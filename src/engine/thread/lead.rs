@@ -6,6 +6,7 @@ use turnspec_oracle::vocabulary::{AlarmName, FeedUnit};
 use crate::engine::Interpreter;
 use crate::engine::arithmetic::lead;
 use crate::engine::fault::Fault;
+use crate::engine::planted::{self, Bug};
 
 use super::unspecified;
 
@@ -51,7 +52,8 @@ impl Interpreter<'_> {
             return Fault::raise(AlarmName::NoFeed, rules::THRD_04);
         };
         let [_, per_revolution] = feed.values;
-        let lead = lead::of_feed(per_revolution, kept.divisor.max(1));
+        let divisor = if planted::is(Bug::DivisorIgnored) { 1 } else { kept.divisor.max(1) };
+        let lead = lead::of_feed(per_revolution, divisor);
         lead.ok_or_else(|| Fault::new(AlarmName::ThreadLeadRange, rules::THRD_04))
     }
 }

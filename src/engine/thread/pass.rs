@@ -8,6 +8,7 @@ use crate::engine::angle::{self, HALF_TURN};
 use crate::engine::arithmetic::thread_course as course;
 use crate::engine::exact::round;
 use crate::engine::fault::Fault;
+use crate::engine::planted::{self, Bug};
 
 use super::axis::Axes;
 use super::exit::{Exit, Run};
@@ -67,12 +68,15 @@ impl Interpreter<'_> {
         };
         let reference = readings.taper_reference;
         let along = end.saturating_sub(begin);
-        let (direction, taper) = (along.signum(), self.taper(pass, along)?);
+        let tapering = if planted::is(Bug::TaperFromCycleStart) { end.saturating_sub(start) } else { along };
+        let (direction, taper) = (along.signum(), self.taper(pass, tapering)?);
         let (first, last) = course::levels(level, taper, reference);
         if !course::is_clear(side, start_level, (first, last)) {
             return Err(unspecified(rules::G33_04, "side"));
         }
-        lead.check_end(axes.twice_length(begin, end))?;
+        if !planted::is(Bug::LastLeadUntested) {
+            lead.check_end(axes.twice_length(begin, end))?;
+        }
         let (begin, end) = (begin.saturating_add(flank), end.saturating_add(flank));
         let exit = if self.state.thread.chamfer {
             let run = Run { axes, begin, end, first, last, side, start_level, direction, lead };
