@@ -115,7 +115,12 @@ fn kind(event: &Emission) -> Option<(Kind, Motion)> {
         Action::Rapid { motion } => (Kind::Rapid, motion),
         Action::Linear { motion, .. } => (Kind::Line, motion),
         Action::Arc { motion, sense, centre_x, centre_z, .. } => {
-            (Kind::Arc((centre_x.0, centre_z.0), sense), motion)
+            // The nose goes round the centre of the event, the tip beside it.
+            let beside = motion
+                .tip
+                .zip(motion.nose)
+                .map_or((0, 0), |(tip, nose)| (tip.x.0 - nose.x.0, tip.z.0 - nose.z.0));
+            (Kind::Arc((centre_x.0 + beside.0, centre_z.0 + beside.1), sense), motion)
         }
         Action::Thread { motion, lead, axis, change, start, .. } => {
             let along_x = event.readings.iter().filter(|reading| matches!(reading, Reading::FeedLength(_)));

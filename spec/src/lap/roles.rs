@@ -58,10 +58,9 @@ impl Roles {
     /// The way in.
     pub fn infeed(self, pass: &Pass) -> Role {
         let role = if self.high_speed {
-            let role = self.role(pass, Part::Infeed, &[AP4_02]);
+            let role = self.role(pass, Part::Infeed, &[if self.near { AP4_03 } else { AP4_02 }]);
             let cited = role
                 .cited
-                .and_if(self.near, Cited::rules(&[AP4_03]))
                 .and_if(pass.number > 1, Cited::rules(&[AP4_04]))
                 .and_if(!pass.last, Cited::rules(&[LAP_05]));
             Role { cited, ..role }

@@ -57,19 +57,24 @@ impl Track {
 
     /// From its beginning to where it meets the contour.
     pub fn whole(&self, target: &Target) -> Option<Path> {
-        self.start().map(|start| self.path(&start, 0, target))
+        self.start().map(|start| self.path(&start, 0, target, false))
     }
 
-    /// From one of its points on to where it meets the contour behind that.
+    /// From one of its points, in which it leaves the contour, on to where it meets the contour behind the run of that.
     pub fn behind(&self, from: &Place, target: &Target) -> Path {
-        self.path(from, self.element_of(from), target)
+        self.path(from, self.element_of(from), target, true)
     }
 
-    fn path(&self, from: &Place, begin: usize, target: &Target) -> Path {
+    fn path(&self, from: &Place, begin: usize, target: &Target, leaves: bool) -> Path {
         let mut path = Path { legs: Vec::new(), highest: from.height.clone() };
         let mut present = from.clone();
         for (index, (number, shape)) in self.shapes.iter().enumerate().skip(begin) {
-            let met = target.first_common(shape, from, index == begin);
+            let is_behind = |point: &Place| match (leaves, index == begin) {
+                (true, _) => point.run > from.run,
+                (false, true) => shape.order(point, from).is_gt(),
+                (false, false) => point != from,
+            };
+            let met = target.first_common(shape, is_behind);
             let last = met.clone().or_else(|| self.last_of(index, target));
             let ends = last.is_some();
             let to = last.unwrap_or_else(|| place(&shape.to));
@@ -112,12 +117,12 @@ impl Track {
 }
 
 impl Target {
-    /// The first point of an element of K that is one of the contour too, or of the half-line that rises from G', behind a
-    /// point from which it is looked at. `on`: that point lies on the element.
-    fn first_common(&self, shape: &Shape, from: &Place, on: bool) -> Option<Place> {
+    /// The first point of an element of K that is one of the contour too, or of the half-line that rises from G', of those
+    /// behind a point from which it is looked at.
+    fn first_common(&self, shape: &Shape, is_behind: impl Fn(&Place) -> bool) -> Option<Place> {
         let mut points: Vec<Place> = self.shapes.iter().flat_map(|other| shape.common(other)).collect();
         points.extend(self.on_half_line(shape));
-        points.retain(|point| if on { shape.order(point, from).is_gt() } else { point != from });
+        points.retain(is_behind);
         points.into_iter().min_by(|first, second| shape.order(first, second))
     }
 

@@ -19,7 +19,7 @@ impl Interpreter<'_> {
         if self.take_note(&event, number) {
             return;
         }
-        if self.compensation.holds() && !self.lap.reads() {
+        if self.compensation.holds() {
             return self.compensation.hold(&event);
         }
         self.ordinal = event.n;
@@ -35,7 +35,7 @@ impl Interpreter<'_> {
             Action::Rapid { motion } => (motion, Course::Rapid),
             Action::Linear { motion, .. } => (motion, Course::Line),
             Action::Arc { motion, sense, centre_x, centre_z, .. } => {
-                (motion, Course::Arc { sense, centre: Point { x: centre_x.0, z: centre_z.0 } })
+                (motion, Course::Arc { sense, centre: centre_of_tip(&motion, centre_x.0, centre_z.0) })
             }
             Action::Thread { motion, lead, axis, change, start, .. } => {
                 definition.has_leg = true;
@@ -77,6 +77,14 @@ fn end_of(motion: &Motion) -> Point {
     match motion.tip {
         Some(tip) => Point { x: tip.x.0, z: tip.z.0 },
         None => Point { x: motion.program.x.0, z: motion.program.z.0 },
+    }
+}
+
+/// What the tip goes round when the nose goes round a centre.
+fn centre_of_tip(motion: &Motion, x: i64, z: i64) -> Point {
+    match (motion.tip, motion.nose) {
+        (Some(tip), Some(nose)) => Point { x: x + tip.x.0 - nose.x.0, z: z + tip.z.0 - nose.z.0 },
+        _ => Point { x, z },
     }
 }
 

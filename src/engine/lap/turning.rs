@@ -230,11 +230,7 @@ impl Interpreter<'_> {
         sink: &mut impl Sink,
     ) -> Result<(), Fault> {
         let twice = pass.deeper && is_last;
-        let own = match (pass.deeper, twice) {
-            (false, _) => rules::AP1_06,
-            (true, false) => rules::AP1_11,
-            (true, true) => rules::AP1_12,
-        };
+        let own = rules::AP1_06.and_if(pass.deeper, rules::AP1_11).and_if(twice, rules::AP1_12);
         let end = job.relieved(self.present(), twice);
         let own = own.and_if(job.blank.is_some(), rules::AP4_06);
         self.rapid(job, count, (Part::Relief, end, own), sink)
