@@ -247,6 +247,7 @@ impl Scan<'_> {
                 Mode::Rapid => &[Feature::Rapid],
                 Mode::Linear => &[Feature::Linear],
                 Mode::Clockwise | Mode::CounterClockwise => &[Feature::Arc],
+                _ => &[Feature::ContourGeneration],
             });
         }
     }
@@ -364,6 +365,7 @@ impl Scan<'_> {
             b'I' | b'K' => &[Feature::Arc],
             b'A' => &[Feature::AnyAngle],
             b'C' => &[Feature::CAxis],
+            b'Y' => &[Feature::ContourGeneration],
             b'W' => &[Feature::WAxis],
             b'D' => &[Feature::Torque],
             b'F' => &[],
@@ -375,7 +377,7 @@ impl Scan<'_> {
         self.needs.add(needs);
         self.block.feed |= letter == b'F';
         self.block.speed |= letter == b'S';
-        self.block.axis |= matches!(letter, b'X' | b'Z' | b'C' | b'W' | b'A' | b'I' | b'K' | b'L');
+        self.block.axis |= matches!(letter, b'X' | b'Y' | b'Z' | b'C' | b'W' | b'A' | b'I' | b'K' | b'L');
     }
 
     /// A common variable; digits with a letter behind them name an unknown system variable.
@@ -396,6 +398,7 @@ impl Scan<'_> {
             1 => Mode::Linear,
             2 => Mode::Clockwise,
             3 => Mode::CounterClockwise,
+            101..=103 | 132 | 133 | 137 => Mode::of_contour(code),
             _ => self.mode,
         };
     }
