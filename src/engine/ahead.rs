@@ -4,7 +4,7 @@ use turnspec_oracle::vocabulary::rule_ids::*;
 use turnspec_oracle::vocabulary::{AlarmName, Place, Sink};
 
 use super::Interpreter;
-use super::block::Before;
+use super::block::{Before, OneShot};
 use super::fault::Fault;
 use super::planted::{self, Bug};
 use super::slot::Slot;
@@ -71,7 +71,7 @@ impl Interpreter<'_> {
         let before = Before { motion, after_angle: need.only_angle, left_over: false };
         let plan = self.check(&slot.parsed, words, before)?;
         self.fault_place = Some(need.place);
-        if need.chamfer && plan.motion != 1 {
+        if need.chamfer && (plan.motion != 1 || plan.one_shot == OneShot::BeginConversion) {
             return Fault::raise(AlarmName::ChamferCorner, ANG_07);
         }
         if plan.motion > 1 || !is_fit(words, need) {

@@ -6,6 +6,7 @@ use turnspec_oracle::vocabulary::{AlarmName, Chamfering, Label};
 use super::Interpreter;
 use super::codes::GGroup;
 use super::compensation::Change;
+use super::contour;
 use super::fault::Fault;
 use super::planted::{self, Bug};
 use super::thread;
@@ -26,6 +27,10 @@ pub enum OneShot {
     ThreadAlong,
     /// G72.
     ThreadAcross,
+    /// G136.
+    EndConversion,
+    /// G137.
+    BeginConversion,
 }
 
 impl OneShot {
@@ -40,6 +45,8 @@ impl OneShot {
             Some(71) => Self::ThreadAlong,
             Some(72) => Self::ThreadAcross,
             Some(76) => Self::Rounding,
+            Some(136) => Self::EndConversion,
+            Some(137) => Self::BeginConversion,
             _ => Self::None,
         }
     }
@@ -47,6 +54,11 @@ impl OneShot {
     /// Whether the block cuts a corner.
     pub fn is_chamfer(self) -> bool {
         matches!(self, Self::Chamfer | Self::Rounding)
+    }
+
+    /// Whether the block begins or ends coordinate conversion.
+    pub fn is_conversion(self) -> bool {
+        matches!(self, Self::EndConversion | Self::BeginConversion)
     }
 
     /// Whether the block cuts a whole thread.
@@ -59,7 +71,7 @@ impl OneShot {
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Plan {
     pub one_shot: OneShot,
-    /// The motion mode in force, G00 to G03 or G31 to G35.
+    /// The motion mode in force, as the state keeps it.
     pub motion: u16,
     /// Whether the block moves.
     pub moves: bool,
@@ -73,8 +85,10 @@ impl Plan {
     /// Whether it is an axis motion command of E100L-MODIN-03.
     pub fn is_axis_motion(&self, words: &Words) -> bool {
         let turns = planted::is(Bug::TriggeredByC) && words.has(Address::C);
-        let coordinate = words.has(Address::X) || words.has(Address::Z) || turns;
-        let other = self.one_shot == OneShot::TorqueSkip || self.one_shot.is_compound_thread();
+        let coordinate = words.has_any(TRIGGERS) || turns;
+        let other = self.one_shot == OneShot::TorqueSkip
+            || self.one_shot.is_compound_thread()
+            || contour::is_mode(self.motion);
         self.moves && !other && coordinate
     }
 
@@ -89,7 +103,9 @@ impl Plan {
     }
 }
 
-const AXES: u32 = Address::set(&[Address::X, Address::Z, Address::C, Address::W, Address::A, Address::QA]);
+const AXES: u32 =
+    Address::set(&[Address::X, Address::Y, Address::Z, Address::C, Address::W, Address::A, Address::QA]);
+const TRIGGERS: u32 = Address::set(&[Address::X, Address::Y, Address::Z]);
 const ARC: u32 = Address::set(&[Address::I, Address::K, Address::L, Address::Calrg]);
 const IMAGINARY: u32 = Address::set(&[Address::I, Address::K]);
 const ALWAYS: u32 = Address::set(&[Address::F, Address::S, Address::T, Address::SB, Address::SA, Address::P]);
@@ -118,6 +134,7 @@ impl Interpreter<'_> {
         let Before { motion: motion_before, after_angle, left_over } = before;
         let motion = words.code_of(GGroup::Motion).unwrap_or(motion_before);
         let threads = thread::is_mode(motion);
+        let contours = contour::is_mode(motion);
         let one_shot = OneShot::of(words);
         check_alone(parsed, words)?;
         let speed_mode = words.has_g(96) || words.has_g(97);
@@ -128,6 +145,7 @@ impl Interpreter<'_> {
         let moving_words = match () {
             () if arc => AXES | ARC,
             () if threads => AXES | thread::WORDS,
+            () if contours => AXES | contour::WORDS,
             () => AXES,
         };
         let free = one_shot == OneShot::None || one_shot.is_chamfer();
@@ -138,12 +156,20 @@ impl Interpreter<'_> {
             self.check_thread_speed(words, motion, cuts)?;
         }
         self.check_speed_turret(words)?;
+        let compensation = self.compensation_change(words);
+        let converted = self.state.contour.converts() && !one_shot.is_conversion();
+        if converted || motion == contour::NO_CODE {
+            let needs_code = free && moves || compensation != Change::None;
+            self.check_conversion(words, (one_shot, motion), needs_code)?;
+        }
         self.check_one_shot(words, one_shot, motion, after_angle)?;
         if free && moves {
             if arc {
                 check_arc(words)?;
             } else if threads {
                 self.check_thread(words, motion)?;
+            } else if contours {
+                self.check_contour(words, motion)?;
             } else {
                 self.check_line(words, after_angle)?;
             }
@@ -151,10 +177,18 @@ impl Interpreter<'_> {
                 return Fault::raise(AlarmName::AxisMissing, AXIS_01);
             }
         }
-        let compensation = self.compensation_change(words);
-        check_functions(words, one_shot, motion, compensation)?;
+        check_functions(words, one_shot, motion, (compensation, converted))?;
         if threads || compound {
             self.check_thread_compensation(words, motion, cuts, left_over)?;
+        }
+        if contours || converted || one_shot.is_conversion() {
+            let contour_block = contours && free && moves;
+            self.check_contour_compensation(
+                words,
+                (one_shot, compensation),
+                (motion, contour_block),
+                left_over,
+            )?;
         }
         self.check_compensation(words, one_shot, (motion, compensation), left_over)?;
         if words.has_m(100) && words.code_of(GGroup::Compensation).unwrap_or(self.state.compensation) != 40 {
@@ -175,7 +209,8 @@ impl Interpreter<'_> {
         let missing = |rule| Fault::raise(AlarmName::WordMissing, rule);
         let w_axis = self.setup.options.w_axis;
         match one_shot {
-            OneShot::None | OneShot::TorqueOff => Ok(()),
+            OneShot::None | OneShot::TorqueOff | OneShot::EndConversion => Ok(()),
+            OneShot::BeginConversion => self.check_conversion_start(words),
             OneShot::Dwell if !words.has(Address::F) => missing(DWELL_01),
             OneShot::Dwell => Ok(()),
             OneShot::ZeroShift => {
@@ -290,6 +325,7 @@ fn check_alone(parsed: &Parsed, words: &Words) -> Result<(), Fault> {
     let codes = [(110, MCODE_24), (193, MCODE_36), (195, MCODE_37), (196, MCODE_37)];
     match codes.iter().find(|(code, _)| words.has_m(*code)) {
         Some((_, rule)) => Fault::raise(AlarmName::NotAlone, *rule),
+        None if words.has_g(136) => Fault::raise(AlarmName::NotAlone, CSC_09),
         None => Ok(()),
     }
 }
@@ -322,14 +358,23 @@ pub fn full_circle() -> Fault {
 }
 
 /// Every word needs a function that takes it.
-fn check_functions(words: &Words, one_shot: OneShot, motion: u16, compensation: Change) -> Result<(), Fault> {
+fn check_functions(
+    words: &Words,
+    one_shot: OneShot,
+    motion: u16,
+    (compensation, converted): (Change, bool),
+) -> Result<(), Fault> {
     let takes = ALWAYS
         | match one_shot {
             OneShot::None if matches!(motion, 2 | 3) => ARC_TAKES,
             OneShot::None if thread::is_mode(motion) => thread::takes(motion),
+            OneShot::None if converted || contour::is_mode(motion) || motion == contour::NO_CODE => {
+                contour::takes(motion, converted)
+            }
             OneShot::None if compensation != Change::None => AXES | IMAGINARY,
             OneShot::None => AXES,
-            OneShot::Dwell | OneShot::TorqueOff => 0,
+            OneShot::Dwell | OneShot::TorqueOff | OneShot::EndConversion => 0,
+            OneShot::BeginConversion => contour::START_TAKES,
             OneShot::TorqueSkip => SKIP_TAKES,
             OneShot::TorqueLimit => LIMIT_TAKES,
             OneShot::ZeroShift => SHIFT_TAKES,

@@ -10,6 +10,7 @@ use super::arithmetic::speed::thousandths;
 use super::arithmetic::{frame, turn};
 use super::block::{Before, OneShot, Plan};
 use super::compensation::Change;
+use super::contour;
 use super::fault::Fault;
 use super::planted::{self, Bug};
 use super::sides::{self, Common};
@@ -29,7 +30,10 @@ impl Interpreter<'_> {
         let from = planted::is(Bug::IdleNoTrigger).then_some(self.state.machine);
         let plan = self.check(parsed, words, before)?;
         for code in words.g_codes() {
-            self.change_mode(*code, sink);
+            match *code {
+                136 | 137 => self.change_conversion(*code, words, sink)?,
+                code => self.change_mode(code, sink),
+            }
         }
         if words.has(Address::F) && plan.one_shot != OneShot::Dwell {
             self.store_feed(words, plan)?;
@@ -56,7 +60,11 @@ impl Interpreter<'_> {
             }
             OneShot::Chamfer | OneShot::Rounding => self.chamfer(slot, plan, sink)?,
             _ if plan.cuts_thread() => self.thread(words, plan.motion, sink)?,
+            _ if plan.moves && contour::is_mode(plan.motion) => self.cut_contour(words, plan.motion, sink)?,
             _ if plan.moves && plan.motion >= 2 => self.arc(words, plan.motion, sink)?,
+            _ if plan.moves && self.state.contour.converts() && words.has_any(contour::POINT) => {
+                self.position_by_point(words, sink)?;
+            }
             _ if plan.moves => self.line(slot, plan, sink)?,
             _ => {}
         }
@@ -101,7 +109,7 @@ impl Interpreter<'_> {
         let state = &mut self.state;
         let flag = |flag: &mut bool, on: bool| std::mem::replace(flag, on) != on;
         let (group, previous, changed, rules) = match code {
-            0..=3 | 31..=35 => {
+            0..=3 | 31..=35 | 101..=103 | 132 | 133 => {
                 let previous = std::mem::replace(&mut state.motion, code);
                 state.thread.select_motion(code);
                 let rules = match code {
@@ -111,12 +119,19 @@ impl Interpreter<'_> {
                     32 => with!(G32_01),
                     33 => with!(G33_01),
                     34 | 35 => with!(G34_01),
+                    101 => with!(CGF_02),
+                    102 | 103 => with!(CGF_04),
+                    132 | 133 => with!(CGS_01),
                     _ => with!(CIRC_01),
                 };
+                let rules = if previous == contour::NO_CODE { rules.with(CSC_05) } else { rules };
                 (const { Label::new("motion") }, previous, previous != code, rules)
             }
             17 | 18 | 119 => {
                 let previous = std::mem::replace(&mut state.plane, code);
+                if code == 119 && self.setup.parameters.side_contour_mode {
+                    state.contour.unwind();
+                }
                 (const { Label::new("plane") }, previous, previous != code, with!(CRC_01))
             }
             40..=42 => {
@@ -166,10 +181,11 @@ impl Interpreter<'_> {
         previous: u16,
         rules: RuleSet,
     ) {
+        let known = previous != contour::NO_CODE;
         let action = Action::Mode {
             group,
             code: Label::of_code(b'G', code),
-            previous: Label::of_code(b'G', previous),
+            previous: if known { Label::of_code(b'G', previous) } else { Label::default() },
             angle: None,
         };
         self.emit(sink, rules, action);
@@ -307,6 +323,7 @@ impl Interpreter<'_> {
                 const { RuleSet::of(&[MCODE_04, NRC_01]) },
             ),
             (state.plane != 18, "plane", 18, state.plane, const { RuleSet::of(&[MCODE_04, CRC_04]) }),
+            (state.contour.converts(), "conversion", 136, 137, const { RuleSet::of(&[MCODE_04, CSC_01]) }),
         ];
         for (changed, group, code, previous, rules) in changes {
             if changed {

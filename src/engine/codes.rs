@@ -21,7 +21,7 @@ pub enum Status {
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 #[repr(u8)]
 pub enum GGroup {
-    /// G00 to G03, G31 to G35.
+    /// G00 to G03, G31 to G35, G101 to G103, G132, G133.
     Motion,
     /// G13, G14.
     Turret,
@@ -39,12 +39,12 @@ pub enum GGroup {
     CuttingSpeed,
     /// G110, G111.
     SpeedTurret,
-    /// G04 G22 G28 G29 G50 G71 G72 G75 G76, of which a block has one.
+    /// G04 G22 G28 G29 G50 G71 G72 G75 G76 G136 G137, of which a block has one.
     OneShot,
 }
 
 /// Assigned G codes, as ranges.
-const G_ASSIGNED: [(u16, u16); 25] = [
+const G_ASSIGNED: [(u16, u16); 24] = [
     (0, 4),
     (13, 14),
     (17, 22),
@@ -69,7 +69,6 @@ const G_ASSIGNED: [(u16, u16); 25] = [
     (161, 171),
     (178, 191),
     (205, 214),
-    (312, 313),
 ];
 
 const G_UNSPECIFIED: [u16; 18] =
@@ -105,8 +104,8 @@ pub fn is_m_macro(code: u16) -> bool {
 #[must_use]
 pub fn g_group(code: u16) -> Option<GGroup> {
     Some(match code {
-        0..=3 | 31..=35 => GGroup::Motion,
-        4 | 22 | 28 | 29 | 50 | 71 | 72 | 75 | 76 => GGroup::OneShot,
+        0..=3 | 31..=35 | 101..=103 | 132 | 133 => GGroup::Motion,
+        4 | 22 | 28 | 29 | 50 | 71 | 72 | 75 | 76 | 136 | 137 => GGroup::OneShot,
         13 | 14 => GGroup::Turret,
         17 | 18 | 119 => GGroup::Plane,
         40..=42 => GGroup::Compensation,
@@ -283,9 +282,9 @@ mod tests {
 
     #[test]
     fn the_tables_have_as_many_codes_as_the_manual() {
-        // 111 G codes in the table and G312, G313 in the text; 270 M codes in the table.
+        // 111 G codes and 270 M codes.
         let assigned = (0..=999).filter(|code| g_code(*code) != Status::Unassigned).count();
-        assert_eq!(assigned, 113);
+        assert_eq!(assigned, 111);
         let assigned = (0..=511).filter(|code| m_code(*code) != Status::Unassigned).count();
         assert_eq!(assigned, 270);
     }

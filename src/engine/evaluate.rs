@@ -57,6 +57,10 @@ impl Interpreter<'_> {
         }
         let value = match address {
             Address::X | Address::Z | Address::I | Address::K | Address::L => self.length(number, true)?,
+            Address::Y if !self.state.contour.converts() => {
+                return Fault::raise(AlarmName::AddressUnknown, ADDR_01);
+            }
+            Address::Y => self.length(number, true)?,
             Address::W => self.length(number, self.setup.options.w_axis)?,
             Address::D | Address::U | Address::H => self.length(number, false)?,
             Address::C => self.angle(number, 359_999_000)?,

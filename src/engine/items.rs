@@ -79,6 +79,7 @@ impl Parser<'_> {
             b'U' => Address::U,
             b'W' => Address::W,
             b'X' => Address::X,
+            b'Y' => Address::Y,
             b'Z' => Address::Z,
             b'N' => return Err(Fault::about(AlarmName::NotModelled, SEQ_01, Label::new("N"))),
             b'O' => return Fault::raise(AlarmName::ProgramNameNotAlone, NAME_03),

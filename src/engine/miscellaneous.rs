@@ -126,7 +126,12 @@ impl Interpreter<'_> {
                     15 | 16 => state.c_negative = code == 16,
                     20 | 21 | 24 | 25 => state.watch.switch(code),
                     22 | 23 | 32..=34 | 73..=75 | 193 | 194 => state.thread.switch(code),
-                    109 | 110 => state.c_joined = code == 110,
+                    109 | 110 => {
+                        state.c_joined = code == 110;
+                        if code == 110 {
+                            state.contour.unwind();
+                        }
+                    }
                     124 | 125 => state.check_times = code == 124,
                     146 | 147 => state.c_clamped = code == 147,
                     152 | 153 => state.tool_interlock_released = code == 153,

@@ -18,6 +18,7 @@ mod cite;
 pub mod codes;
 mod communication;
 mod compensation;
+mod contour;
 mod evaluate;
 mod exact;
 mod expression;

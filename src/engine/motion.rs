@@ -268,7 +268,17 @@ impl Interpreter<'_> {
     }
 
     /// The turn of the C axis to a program coordinate, with so many full turns more (E100L-CAX-05, -06).
-    pub(super) fn turn(&self, target: Option<i64>, turns: i64) -> Result<Turn, Fault> {
+    pub(super) fn turn(&mut self, target: Option<i64>, turns: i64) -> Result<Turn, Fault> {
+        let present = self.state.program(C);
+        let target = match target {
+            None => present,
+            Some(word) => turn::within(coordinate(present, word, self.state.incremental)),
+        };
+        self.turn_to(target, turns)
+    }
+
+    /// The turn of the C axis to an angle of at most a turn.
+    pub(super) fn turn_to(&mut self, target: i64, turns: i64) -> Result<Turn, Fault> {
         if !self.state.c_joined {
             return Fault::raise(AlarmName::CAxisNotJoined, rules::CAX_02);
         }
@@ -276,13 +286,10 @@ impl Interpreter<'_> {
             return Fault::raise(AlarmName::CAxisClamped, rules::CAX_07);
         }
         let present = self.state.program(C);
-        let target = match target {
-            None => present,
-            Some(word) => turn::within(coordinate(present, word, self.state.incremental)),
-        };
         let negative = self.state.c_negative;
         let turns = if planted::is(Bug::TurnsOfNegativeSense) && negative { -turns } else { turns };
         let travel = turn::travel(present, target, turns, negative);
+        self.state.contour.wind(travel);
         let machine = to_machine(target, self.state.frame(C));
         let machine = if planted::is(Bug::CWrap) { machine } else { turn::within(machine) };
         Ok(Turn { travel, machine })

@@ -7,6 +7,7 @@ use turnspec_oracle::vocabulary::{
 use super::arithmetic::limit::{self, Limited};
 use super::arithmetic::{frame, turn};
 use super::barriers::Watch;
+use super::contour;
 use super::planted::{self, Bug};
 use super::sides::{Turret, nose_radii, tool_offsets};
 use super::thread::Kept;
@@ -78,7 +79,7 @@ pub struct State {
     /// The turret that was selected when the main spindle was started.
     pub spindle_side: Side,
 
-    /// G00 to G03, G31 to G35.
+    /// G00 to G03, G31 to G35, G101 to G103, G132, G133, or [`contour::NO_CODE`].
     pub motion: u16,
     pub incremental: bool,
     pub per_minute: bool,
@@ -123,6 +124,8 @@ pub struct State {
     pub stops_used: usize,
     /// What thread cutting remembers.
     pub thread: Kept,
+    /// What contour generation and coordinate conversion remember.
+    pub contour: contour::Kept,
 }
 
 impl State {
@@ -205,6 +208,7 @@ impl State {
             angle_target: None,
             stops_used: 0,
             thread: Kept::default(),
+            contour: contour::Kept::default(),
         }
     }
 

@@ -28,11 +28,11 @@ macro_rules! addresses {
 
 addresses! {
     A "A", B "B", C "C", D "D", E "E", F "F", G "G", H "H", I "I", J "J", K "K", L "L", M "M", P "P", Q "Q",
-    S "S", T "T", U "U", W "W", X "X", Z "Z", SB "SB", SA "SA", QA "QA", PZ "PZ", PW "PW", Calrg "CALRG"
+    S "S", T "T", U "U", W "W", X "X", Y "Y", Z "Z", SB "SB", SA "SA", QA "QA", PZ "PZ", PW "PW", Calrg "CALRG"
 }
 
 /// Number of addresses.
-const ADDRESSES: usize = 27;
+const ADDRESSES: usize = 28;
 
 impl Address {
     /// Its bit in a set of addresses.
@@ -54,6 +54,7 @@ impl Address {
     pub const fn is_length(self) -> bool {
         const LENGTHS: u32 = Address::set(&[
             Address::X,
+            Address::Y,
             Address::Z,
             Address::I,
             Address::K,

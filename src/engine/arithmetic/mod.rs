@@ -5,6 +5,7 @@
 //! control that alarms, before these functions are reached.
 
 pub mod area;
+pub mod contour;
 pub mod decimal_code;
 pub mod digits;
 pub mod feed;

@@ -1,5 +1,5 @@
 //! Angles of the C axis within a full turn, and the way between two of them (E100L-CAX-05, E100L-CAX-06,
-//! E100L-G50-04).
+//! E100L-CGF-10, E100L-G50-04).
 
 /// A full turn in micro-degrees.
 pub const TURN: i64 = 360_000_000;
@@ -15,6 +15,14 @@ pub fn within(angle: i64) -> i64 {
 #[must_use]
 pub fn shift(shift: i64) -> i64 {
     shift % TURN
+}
+
+/// The shorter way from one angle to another, both within a turn; half a turn is positive.
+#[inline]
+#[must_use]
+pub fn shorter(present: i64, target: i64) -> i64 {
+    let ahead = within(target - present);
+    if ahead <= TURN / 2 { ahead } else { ahead - TURN }
 }
 
 /// The way from one angle to another, both within a turn, in the positive or in the negative direction, with so

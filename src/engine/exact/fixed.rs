@@ -280,6 +280,30 @@ pub fn arc_tangent(ordinate: f64, abscissa: f64, slow: &mut SlowPaths) -> f64 {
     if ordinate < 0.0 { -size } else { size }
 }
 
+/// The angle in micro-degrees, in (-180, 180] degrees, of the direction with this ordinate and abscissa, rounded once.
+/// Both at most 2^53 in size, not both zero. A tie cannot occur: rational angles of this kind are multiples of 45.
+#[allow(clippy::cast_precision_loss, clippy::cast_possible_truncation)]
+pub fn arc_tangent_microdegrees(ordinate: i64, abscissa: i64, slow: &mut SlowPaths) -> i64 {
+    let scaled = arc_tangent(ordinate as f64, abscissa as f64, slow) * 1.0e6;
+    let nearest = scaled.round();
+    // The angle is off by 2^-46 degrees at most, the product by as much again: less than 1e-7 together.
+    if (scaled - nearest).abs() < 0.499_999 {
+        return nearest as i64;
+    }
+    slow.roundings += 1;
+    let parts = [ordinate, abscissa].map(|part| i128::from(part.unsigned_abs()));
+    let approximation = (parts[0] as f64).atan2(parts[1] as f64);
+    let rounded = [256, 512, 1024].iter().find_map(|&digits| {
+        let [up, along] = parts.map(|part| Big::integer(part, digits));
+        let degrees = Big::angle(&up, &along, approximation).times(&Big::integer(180, digits));
+        let degrees = degrees.over(&Big::pi(digits));
+        let degrees = if abscissa < 0 { Big::integer(180, digits).minus(&degrees) } else { degrees };
+        degrees.times(&Big::integer(1_000_000, digits)).certain_round()
+    });
+    let size = rounded.unwrap_or(nearest.abs() as i64);
+    if ordinate < 0 { -size } else { size }
+}
+
 /// The angle of a direction in the upper half plane, if 124 digits suffice.
 fn fixed_arc_tangent(up: f64, along: f64, left: bool) -> Option<f64> {
     const DEGREE_DIGITS: i32 = 118;
@@ -329,7 +353,7 @@ fn big_arc_tangent(up: f64, along: f64, left: bool) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::{SlowPaths, arc_tangent, sine_cosine, tangent};
+    use super::{SlowPaths, arc_tangent, arc_tangent_microdegrees, sine_cosine, tangent};
 
     fn slow() -> SlowPaths {
         SlowPaths::default()
@@ -394,6 +418,21 @@ mod tests {
         assert_eq!(steep, 90.0);
         let flat = arc_tangent(1.0e-300, 1.0, &mut slow());
         assert!((flat * 1.0e300 - 57.295_779_513_082_32).abs() < 1e-12);
+    }
+
+    #[test]
+    fn angles_in_microdegrees() {
+        let mut slow = slow();
+        assert_eq!(arc_tangent_microdegrees(40, 30, &mut slow), 53_130_102);
+        assert_eq!(arc_tangent_microdegrees(-40, -30, &mut slow), -126_869_898);
+        assert_eq!(arc_tangent_microdegrees(0, -7, &mut slow), 180_000_000);
+        assert_eq!(arc_tangent_microdegrees(-7, 7, &mut slow), -45_000_000);
+        assert_eq!(slow, SlowPaths::default());
+        // Half a micro-degree is 8.726646259971647884618e-9 radians: between these two the rounding changes.
+        assert_eq!(arc_tangent_microdegrees(8_726_646, 1_000_000_000_000_000, &mut slow), 0);
+        assert_eq!(arc_tangent_microdegrees(8_726_647, 1_000_000_000_000_000, &mut slow), 1);
+        assert_eq!(arc_tangent_microdegrees(-8_726_647, -1_000_000_000_000_000, &mut slow), -179_999_999);
+        assert_eq!(slow.roundings, 3);
     }
 
     #[test]

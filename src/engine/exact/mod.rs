@@ -14,7 +14,7 @@ use std::cmp::Ordering;
 
 pub use approx::Approx;
 pub use big::Big;
-pub use fixed::{Double, arc_tangent, sine_cosine, tangent};
+pub use fixed::{Double, arc_tangent, arc_tangent_microdegrees, sine_cosine, tangent};
 
 /// A real number that is known within an error bound.
 pub trait Real: Sized {

@@ -1,0 +1,70 @@
+//! Targets in conversion mode: points, and the program X and C that they become (execution of contours, 4 and 7;
+//! E100L-CSC-03, E100L-CSC-04, E100L-CSC-06, E100L-CGF-14).
+
+use turnspec_oracle::vocabulary::rule_ids::*;
+use turnspec_oracle::vocabulary::{ConversionZeroShift, RuleSet};
+
+use crate::engine::Interpreter;
+use crate::engine::arithmetic::contour::Spot;
+use crate::engine::arithmetic::frame::coordinate;
+use crate::engine::state::{C, X};
+use crate::engine::words::{Address, Words};
+
+use super::plane::{diameter, direction};
+use super::{POINT, Station};
+
+impl Interpreter<'_> {
+    /// The kept point, if the axes stand where it has put them.
+    pub(super) fn held_point(&self) -> Option<Station> {
+        let (kept, shift) = self.state.contour.conversion?.kept?;
+        let state = &self.state;
+        let now = (state.program(X), state.program(C), state.zero_shift[C]);
+        ((kept.x, kept.c, shift) == now).then_some(kept)
+    }
+
+    /// Keeps the point that a block has programmed.
+    pub(super) fn keep_point(&mut self, station: Station) {
+        let shift = self.state.zero_shift[C];
+        if let Some(conversion) = &mut self.state.contour.conversion {
+            conversion.kept = Some((station, shift));
+        }
+    }
+
+    /// The point that a block programs, counted from a point that is needed unless both words are absolute; none
+    /// when it is needed and does not hold.
+    pub(super) fn target_point(&self, words: &Words, held: Option<Station>) -> Option<Spot> {
+        let incremental = self.state.incremental;
+        if words.present() & POINT == POINT && !incremental {
+            let [p, q] = [Address::X, Address::Y].map(|address| words.get(address).unwrap_or_default());
+            return Some(Spot { p, q });
+        }
+        let from = held?.point;
+        let along =
+            |address, from| words.get(address).map_or(from, |word| coordinate(from, word, incremental));
+        Some(Spot { p: along(Address::X, from.p), q: along(Address::Y, from.q) })
+    }
+
+    /// A point with the program X and C that it becomes.
+    pub(super) fn converted(&mut self, point: Spot) -> Station {
+        let angle = self.state.contour.conversion.map_or(0, |conversion| conversion.angle);
+        let axis = match self.setup.parameters.conversion_zero_shift {
+            ConversionZeroShift::Included => angle,
+            ConversionZeroShift::Excluded => angle.saturating_sub(self.state.zero_shift[C]),
+        };
+        Station { point, x: diameter(point), c: direction(point, axis, &mut self.slow) }
+    }
+
+    /// What a motion in conversion mode cites for its words.
+    pub(super) fn conversion_rules(&self, words: &Words) -> RuleSet {
+        let one = words.has(Address::X) != words.has(Address::Y);
+        let mut rules = const { RuleSet::of(&[CSC_02, CSC_03]) };
+        for (holds, rule) in
+            [(one, CSC_06), (self.state.incremental, CSC_07), (self.state.zero_shift[C] != 0, CSC_04)]
+        {
+            if holds {
+                rules = rules.with(rule);
+            }
+        }
+        rules
+    }
+}
