@@ -156,26 +156,24 @@ fn is_contour(event: &Event) -> bool {
 fn deeds(case: &Case, events: &[Event]) -> BTreeSet<&'static str> {
     let mut deeds = BTreeSet::new();
     let mut converts = false;
-    for (place, event) in events.iter().enumerate() {
+    for event in events {
         converts = match event.action {
             Action::Mode { code, .. } if code.as_str() == "G137" => true,
-            Action::Mode { code, .. } if code.as_str() == "G136" => false,
+            Action::Mode { code, .. } if code.as_str() == "G136" => {
+                if cites(event, MCODE_04) {
+                    deeds.insert("conversion mode to the end");
+                }
+                false
+            }
             _ => converts,
         };
         of_motion(case, event, &mut deeds);
-        let held = events.get(place + 1).is_some_and(|next| cites(next, CSC_02));
         match event.action {
             Action::Frame { cause: FrameCause::ToolOffset, .. } if converts => {
                 deeds.insert("tool offset in conversion mode");
             }
             Action::Frame { cause: FrameCause::ZeroShift, .. } if converts => {
                 deeds.insert("zero shift in conversion mode");
-            }
-            Action::Dwell { .. } if held => {
-                deeds.insert("dwell before a point");
-            }
-            Action::End { .. } if converts => {
-                deeds.insert("conversion mode to the end");
             }
             _ => {}
         }

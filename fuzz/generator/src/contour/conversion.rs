@@ -102,6 +102,10 @@ impl Builder<'_, '_, '_> {
             15 => self.beside_points(),
             16 if self.allows(Feature::ZeroShift) => self.shift_of_z(),
             17 if self.choices.chance(50) => self.to_the_limit(),
+            18 if self.allows(Feature::Tool) => {
+                let word = self.tool_word();
+                self.push(vec![word]);
+            }
             _ if holds => drop(self.attempted(|builder| builder.point_block(Course::Rapid))),
             _ => self.first_point(),
         }

@@ -34,7 +34,7 @@ impl Builder<'_, '_, '_> {
         if self.state.contours.given
             && course != Course::Both
             && !crate::companions::has(&items, "G")
-            && self.choices.chance(10)
+            && self.choices.chance(25)
         {
             let change = !self.state.incremental;
             items.push(self.incremental_word(change));

@@ -1,10 +1,12 @@
 //! Faults of contours and of coordinate conversion.
 
-use turnspec_oracle::vocabulary::Feature;
+use turnspec_oracle::vocabulary::{Feature, Length, NoseRadius};
 
 use super::contour_texts as texts;
 use super::{Fault, choose};
 use crate::builder::Builder;
+
+const MM: i64 = 1_000_000;
 
 /// What stands before the lines of a fault.
 const READY: [&str; 3] = ["M110", "M146 M15 M24 M20", "G90 G00 X100 Z50 C0 G94 F100"];
@@ -77,8 +79,11 @@ impl Builder<'_, '_, '_> {
 
     /// A contour, G136 or G137 while compensation is in force, in the block that ends it, or with a displacement left over.
     fn contour_in_compensation(&mut self) -> bool {
-        if !self.state.compensation.radii.contains_key(&1) || !self.allows(Feature::RadiusCompensation) {
+        if !self.state.setup.options.nose_radius_compensation || !self.allows(Feature::RadiusCompensation) {
             return false;
+        }
+        if !self.state.compensation.radii.contains_key(&1) {
+            self.state.setup.nose_radius.push(NoseRadius { number: 1, x: Length(MM), z: Length(MM) });
         }
         let text = self.choices.pick(texts::IN_COMPENSATION);
         self.state.setup.parameters.side_contour_mode = false;

@@ -4,7 +4,7 @@ use super::Fault;
 
 /// The alarms of programs with contours, by their weights.
 pub(super) const FAULTS: &[(usize, Fault)] = &[
-    (36, Fault::Unspecified),
+    (70, Fault::Unspecified),
     (8, Fault::WordMissing),
     (6, Fault::ArcRadiusNotPositive),
     (6, Fault::ArcRadiusTooSmall),
@@ -96,6 +96,7 @@ pub(super) const FORMS: &[(Fault, &[&str])] = &[
 #[rustfmt::skip]
 pub(super) const NOT_DESCRIBED: &[&str] = &[
     // Feed per revolution.
+    "G95 G101 X50", "G95 G103 X50 L60",
     "G95 G101 C90 F1", "G95\nG102 C90 L60", "G95 G132 Z20 L60", "G95\nG133 C60 L60",
     // Z at the centre.
     "G101 X60 C180 Z20", "G101 X0 C90 Z20", "G101 X0\nX50 C90 Z20", "G91 G101 C180 Z-1", "G137 C0\nG00 X30 Y40\nG101 X-30 Y-40 Z5",
@@ -108,12 +109,13 @@ pub(super) const NOT_DESCRIBED: &[&str] = &[
     // No point.
     "G137 C0\nG101 X30 Y40", "G137 C0\nG00 X30 Y40\nT0101\nT0202\nG101 X50 Y40", "G137 C0\nG00 X30 Y40\nG50 Z5\nVZSHX=5\nG101 X50", "G137 C0\nG102 X30 Y40 L50",
     "G137 C0\nG00 X30 Y40\nVZSHX=7\nY-40", "G137 C0\nG00 X30 Y40\nVZSHX=7\nG91 X1 Y1", "G137 C0\nG101\nZ5", "G137 C0\nG00 X30 Y40\nG137 C5\nG101 X5 Y5",
+    "G50 C30\nG137 C0\nG00 X30 Y40\nVZSHC=330\nY-40", "G50 C30\nG137 C0\nG00 X30 Y40\nVZSHC=330\nG101 Y-40",
     // Words in conversion mode.
     "G137 C0\nG00 X30 Y40\nG01 Y20", "G137 C0\nG01 X5 Y5", "G137 C0\nG02 X50 Z-5 L20", "G137 C0\nG00 X30 Y40\nG03 X5 Y5 L20", "G137 C0\nG00 X30 Y40\nG50 X0",
     "G137 C0\nG50 C5", "G137 C0\nG01 G75 Z-5 L1", "G137 C0\nG33 X5 Z5", "G137 C0\nG00\nG71 X5 Z5 D1 H2", "G137 C0\nG132 Z5 L60", "G137 C0\nG34 Z5", "G137 C0\nG00 G76 Z5 L1",
     "G137 C0\nG35",
     // A motion code in the block of G137.
-    "G137 C0 G00", "G01 G137 C0", "G137 C0 G101", "G132 G137 C0", "G137 G33 C5",
+    "G137 C0 G00", "G00 G137 C90", "G01 G137 C0", "G137 C0 G101", "G132 G137 C0", "G137 G33 C5",
     // Compensation.
     "G137 C0\nG00 G42 Z5", "G137 C0\nG00\nG41",
 ];
