@@ -17,6 +17,6 @@ macro_rules! families {
 }
 
 families! {
-    draw areas corners counts decimals feeds frame labels limits modal noses places products reading_sets rectangles
+    draw areas contours corners counts decimals feeds frame labels limits modal noses places products reading_sets rectangles
     roots rounding rule_sets segments sequence_names sides signs speeds surds tools turns units words
 }
