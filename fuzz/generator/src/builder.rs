@@ -11,6 +11,7 @@ use crate::print;
 use crate::profile::Profile;
 use crate::program::{Block, Item, Line};
 use crate::state::{Mode, State};
+use crate::threads;
 
 /// The characters that the expressions of one block may take together.
 const EXPRESSION_ROOM: usize = 70;
@@ -32,6 +33,8 @@ pub(crate) struct Builder<'b, 'c, 'd> {
     pub(crate) control: usize,
     /// Whether the program is to have contours.
     pub(crate) contours: bool,
+    /// Whether the program is to have threads.
+    pub(crate) threads: bool,
     /// Constructions of control flow around the present place.
     pub(crate) nesting: usize,
     /// Blocks that the program may still get.
@@ -71,6 +74,7 @@ pub(crate) enum Kind {
     Io,
     Turret,
     Contour,
+    Thread,
 }
 
 const KINDS: &[(usize, Kind)] = &[
@@ -95,6 +99,9 @@ const START_UPS: (usize, usize) = (40, 1);
 
 /// How often a run of contours comes in programs that are to have them.
 const CONTOURS: usize = 60;
+/// The same in programs that are to have threads, and how often a block cuts one there.
+const BESIDE_THREADS: usize = 8;
+const THREADS: usize = 70;
 
 /// How often a block is one of control flow, in programs that are to have it.
 const CONTROL: usize = 44;
@@ -131,6 +138,7 @@ impl Kind {
             Self::Io => io::is_within(profile),
             Self::Turret => any(&[Feature::TwoTurrets]),
             Self::Contour => contour::is_within(profile),
+            Self::Thread => threads::is_within(profile),
         }
     }
 }
@@ -144,21 +152,28 @@ impl<'b, 'c, 'd> Builder<'b, 'c, 'd> {
         let expressions = choices.pick(&[0, 3, 10, 40]);
         let expressions = if profile.allows(Feature::Expression) { expressions } else { 0 };
         let (many, few) = START_UPS;
-        let place = choices.below(100);
-        let start_ups = if place >= 60 { many } else { few };
-        let contours = (40..47).contains(&place) && contour::is_within(&profile);
-        if contours {
+        let (start_ups, threads, contours) = match choices.below(100) {
+            60.. => (many, 0, 0),
+            47..60 if threads::is_within(&profile) => (BESIDE_THREADS, THREADS, 0),
+            40..47 if contour::is_within(&profile) => (few, 0, CONTOURS),
+            _ => (few, 0, 0),
+        };
+        if threads > 0 {
+            threads::set_up(&mut state.setup, choices, &profile);
+        }
+        if contours > 0 {
             contour::set_up(&mut state.setup, choices);
         }
-        let control = if choices.chance(50) { CONTROL } else { 0 };
+        let control = if choices.chance(50) { CONTROL + threads / 3 } else { 0 };
         let barrier = if state.barriers.is_wanted() { BARRIER } else { 0 };
         let io = if state.io.is_wanted() { IO } else { 0 };
         let special = [
-            (if contours { CONTOURS } else { 0 }, Kind::Contour),
+            (contours, Kind::Contour),
             (start_ups, Kind::StartUp),
             (control, Kind::Control),
             (barrier, Kind::Barrier),
             (io, Kind::Io),
+            (threads, Kind::Thread),
         ];
         let kinds = KINDS.iter().copied().chain(special);
         let kinds = kinds.filter(|(_, kind)| kind.is_within(&profile)).collect();
@@ -173,7 +188,8 @@ impl<'b, 'c, 'd> Builder<'b, 'c, 'd> {
             profile,
             whole: profile,
             control,
-            contours,
+            contours: contours > 0,
+            threads: threads > 0,
             nesting: 0,
             left: 0,
             spoilt: false,
@@ -462,6 +478,7 @@ impl<'b, 'c, 'd> Builder<'b, 'c, 'd> {
             Kind::Io => self.io(),
             Kind::Turret => self.turret_block(),
             Kind::Contour => self.contours(),
+            Kind::Thread => self.thread(),
         }
     }
 

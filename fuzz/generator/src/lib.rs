@@ -47,6 +47,7 @@ mod setup;
 mod shrink;
 mod state;
 mod tape;
+mod threads;
 mod turrets;
 mod unit;
 mod variables;

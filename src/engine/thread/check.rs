@@ -7,6 +7,7 @@ use crate::engine::Interpreter;
 use crate::engine::block::OneShot;
 use crate::engine::codes::GGroup;
 use crate::engine::fault::Fault;
+use crate::engine::planted::{self, Bug};
 use crate::engine::words::{Address, Words};
 
 use super::infeed::Pattern;
@@ -32,7 +33,8 @@ impl Interpreter<'_> {
         let constant =
             words.code_of(GGroup::CuttingSpeed).map_or(self.state.constant_speed, |code| code == 96);
         let code = code_of(words);
-        if constant && (cuts || code.is_some()) {
+        let later = cuts && !planted::is(Bug::ConstantSpeedLater);
+        if constant && (later || code.is_some()) {
             let detail = Label::of_code(b'G', code.unwrap_or(motion));
             return Err(Fault::about(AlarmName::ThreadInConstantSpeed, rules::THRD_01, detail));
         }
@@ -66,6 +68,7 @@ impl Interpreter<'_> {
         let allowance = words.get(allowance_word).unwrap_or_default();
         let angle = words.get(Address::B).unwrap_or_default();
         let pattern = words.m_codes().iter().find_map(|code| Pattern::of(*code));
+        let pattern = pattern.filter(|_| !planted::is(Bug::PatternStale));
         let halving = pattern.unwrap_or(self.state.thread.pattern) == Pattern::Halving;
         let impossible = match () {
             () if depth == 0 => "D",

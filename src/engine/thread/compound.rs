@@ -11,6 +11,7 @@ use crate::engine::arithmetic::round::Rounding;
 use crate::engine::arithmetic::turn::TURN;
 use crate::engine::block::OneShot;
 use crate::engine::fault::Fault;
+use crate::engine::planted::{self, Bug};
 use crate::engine::state::{X, Z};
 use crate::engine::words::{Address, Words};
 
@@ -52,7 +53,7 @@ impl Interpreter<'_> {
         let mut is_first = true;
         while let Some(depth) = depths.next(&mut self.slow) {
             for start in 0..compound.starts {
-                if !is_first && !self.task.count_pass() {
+                if !is_first && !planted::is(Bug::PassesUncounted) && !self.task.count_pass() {
                     return Fault::raise(AlarmName::StepLimit, GOTO_03);
                 }
                 is_first = false;
@@ -140,7 +141,10 @@ impl Interpreter<'_> {
         let thread = Thread {
             axis: compound.axis,
             change: whole.lead.change,
-            start: Rounding::HalfAway.divide_narrow(start * TURN, compound.starts),
+            start: match planted::is(Bug::StartsCut) {
+                true => Rounding::Cut.divide_narrow(start * TURN, compound.starts),
+                false => Rounding::HalfAway.divide_narrow(start * TURN, compound.starts),
+            },
         };
         let cites = self.compound_cites(compound, depth, &pass, thread.start != 0, is_last);
         let number = u32::try_from(depth.number).unwrap_or(u32::MAX);

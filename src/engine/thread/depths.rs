@@ -9,6 +9,7 @@ use turnspec_oracle::vocabulary::rule_ids as rules;
 
 use crate::engine::arithmetic::round::Rounding;
 use crate::engine::exact::{Formula, Real, SlowPaths, round, sign};
+use crate::engine::planted::{self, Bug};
 
 /// How the depths follow each other, up to the height less the allowance.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -80,7 +81,8 @@ impl Heights {
         if rest <= 0 || area <= 0 {
             return 1;
         }
-        i64::try_from(Rounding::Up.divide(rest, area) + 1).unwrap_or(i64::MAX)
+        let rounding = if planted::is(Bug::BalancedCut) { Rounding::Cut } else { Rounding::Up };
+        i64::try_from(rounding.divide(rest, area).max(1) + 1).unwrap_or(i64::MAX)
     }
 }
 
@@ -168,7 +170,8 @@ impl Depths {
         let Heights { height, target, .. } = self.heights;
         let before = if finishing { None } else { self.before_target(slow) };
         if before.is_none() {
-            let more = !finishing && target != height;
+            let spring = planted::is(Bug::SpringPass) && target == height;
+            let more = !finishing && (target != height || spring);
             self.stage = if more { Stage::Finishing } else { Stage::Done };
         }
         let depth = before.unwrap_or(if finishing { height } else { target });
@@ -194,7 +197,8 @@ impl Depths {
     fn halving(&self) -> Option<i64> {
         let Heights { step, target, .. } = self.heights;
         let before = target - step;
-        let steps = before / step + i64::from(before % step != 0);
+        let rest = before % step != 0 && !planted::is(Bug::RemainderLeft);
+        let steps = before / step + i64::from(rest);
         match self.number - steps {
             ..=0 => Some((self.number * step).min(before)),
             parts @ 1..=3 => Some(Rounding::HalfAway.divide_narrow((target << parts) - step, 1 << parts)),
@@ -212,7 +216,8 @@ impl Depths {
             let reaches = sign(&Mean { less: target, ..mean }, slow) != Ordering::Less;
             return if reaches { None } else { Some(round(&mean, slow)) };
         }
-        if number * area >= Heights::square(target) {
+        let reached = Heights::square(target);
+        if number * area > reached || number * area == reached && !planted::is(Bug::TargetTwice) {
             return None;
         }
         Some(round(&Mean { first: square(number), second: square(number), less: 0 }, slow))

@@ -9,6 +9,7 @@ use crate::engine::Interpreter;
 use crate::engine::arithmetic::root::narrow;
 use crate::engine::arithmetic::round::Rounding;
 use crate::engine::fault::Fault;
+use crate::engine::planted::{self, Bug};
 use crate::engine::state::X;
 
 use super::axis::Axes;
@@ -64,7 +65,8 @@ impl Interpreter<'_> {
         if !turns || choice.value == 0 {
             return Err(unspecified(rules::TCHM_03, "speed"));
         }
-        let rate = i128::from(self.setup.parameters.thread_chamfer_feed);
+        let feed = self.setup.parameters.thread_chamfer_feed;
+        let rate = i128::from(if planted::is(Bug::RateOfParameterLost) { 640 } else { feed });
         let exit = run.exit(length, rate, choice.value)?;
         Ok(Some(Exit { clamped: choice.limit == Some(SpeedLimit::Clamp), ..exit }))
     }
@@ -80,15 +82,16 @@ impl Run {
         let from = narrow(Rounding::HalfAway.divide(PICO * i128::from(end) - way * back, PICO));
         let rest = axes.twice_length(from, end);
         let level = self.level_at(rest);
-        let pitch = lead.at(axes.twice_length(self.begin, end) - rest);
+        let along = axes.twice_length(self.begin, end) - rest;
+        let pitch = lead.at(if planted::is(Bug::ChamferOfFirstLead) { 0 } else { along });
         // The withdrawal is `rise / turn`: 4.6875 mm/min are 4 687 500 nm/min, halved with the doubled length, and
         // 10^6 with the thousandths of a revolution and the picometres of the lead.
         let unit = 2_343_750_000_000 * rate * (2 / axes.level_halves());
         let (rise, turn) = (unit * rest, i128::from(speed) * i128::from(pitch));
         let room = side * (i128::from(start_level) - i128::from(level));
-        if room.saturating_mul(turn) > rise {
+        if room.saturating_mul(turn) > rise || planted::is(Bug::ChamferBeyondStart) {
             let below = side * (i128::from(level) - i128::from(self.last));
-            if below.saturating_mul(turn).saturating_add(rise) < 0 {
+            if below.saturating_mul(turn).saturating_add(rise) < 0 && !planted::is(Bug::OpeningTaperAllowed) {
                 return Err(unspecified(rules::TCHM_04, "taper"));
             }
             let withdrawn = i128::from(level).saturating_mul(turn).saturating_add(side * rise);

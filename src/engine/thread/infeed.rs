@@ -5,6 +5,7 @@ use turnspec_oracle::vocabulary::{LeadAxis, ThreadFlank};
 
 use crate::engine::Interpreter;
 use crate::engine::exact::{Formula, Real, round};
+use crate::engine::planted::{self, Bug};
 
 /// The flank of the passes.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -32,7 +33,7 @@ impl Infeed {
     fn sign(self, number: i64, reading: ThreadFlank) -> i64 {
         let left = match self {
             Self::Left => true,
-            Self::Zigzag => number % 2 != 0,
+            Self::Zigzag => (number % 2 != 0) != planted::is(Bug::TurnsOnOtherFlank),
             Self::Right => false,
         };
         if left == (reading == ThreadFlank::Negative) { -1 } else { 1 }
@@ -86,7 +87,8 @@ impl Interpreter<'_> {
         if rest == 0 || angle == 0 {
             return 0;
         }
-        let (times, over) = if axis == LeadAxis::Z { (1, 2) } else { (2, 1) };
+        let across = if planted::is(Bug::FlankOnRadius) { (1, 1) } else { (2, 1) };
+        let (times, over) = if axis == LeadAxis::Z { (1, 2) } else { across };
         let size = match angle {
             // The only angle whose half has a rational tangent, which is 1.
             SQUARE if axis == LeadAxis::Z => rest / 2 + rest % 2,

@@ -7,6 +7,7 @@ use crate::engine::Interpreter;
 use crate::engine::arithmetic::root::root_over;
 use crate::engine::arithmetic::round::Rounding;
 use crate::engine::fault::Fault;
+use crate::engine::planted::{self, Bug};
 
 use super::unspecified;
 
@@ -61,7 +62,9 @@ impl Interpreter<'_> {
             return Fault::raise(AlarmName::NoFeed, rules::THRD_04);
         };
         let [_, per_revolution] = feed.values;
-        let lead = Rounding::HalfAway.divide_narrow(per_revolution, kept.divisor.max(1));
+        let divisor = if planted::is(Bug::DivisorIgnored) { 1 } else { kept.divisor.max(1) };
+        let rounding = if planted::is(Bug::LeadCut) { Rounding::Cut } else { Rounding::HalfAway };
+        let lead = rounding.divide_narrow(per_revolution, divisor);
         if !(LEAST..=MOST).contains(&lead) {
             return Fault::raise(AlarmName::ThreadLeadRange, rules::THRD_04);
         }

@@ -7,6 +7,7 @@ use turnspec_oracle::vocabulary::{LeadAxis, RuleSet, Sink};
 use crate::engine::Interpreter;
 use crate::engine::angle::Course;
 use crate::engine::fault::Fault;
+use crate::engine::planted::{self, Bug};
 use crate::engine::words::{Address, Words};
 
 use super::lead::Lead;
@@ -25,9 +26,10 @@ impl Interpreter<'_> {
         let axis = if words.has_m(27) { LeadAxis::X } else { LeadAxis::Z };
         let axes = self.thread_axes(axis);
         let amount = words.get(Address::E).unwrap_or_default();
-        let change = if motion == 35 { -amount } else { amount };
+        let change = if motion == 35 && !planted::is(Bug::ShrinkingGrows) { -amount } else { amount };
         let goes_on = std::mem::replace(&mut self.state.thread.chain, true);
-        let start = words.get(Address::C).filter(|_| !goes_on).unwrap_or_default();
+        let counts = !goes_on || planted::is(Bug::AngleInChain);
+        let start = words.get(Address::C).filter(|_| counts).unwrap_or_default();
         let present = self.present();
         let course = Course::of(words, self.state.incremental);
         let end = course.end(present, present, &mut self.slow)?;

@@ -19,6 +19,7 @@ use turnspec_oracle::vocabulary::{AlarmName, Label, LeadAxis, RuleId, Sink};
 use super::Interpreter;
 use super::block::{OneShot, Plan};
 use super::fault::Fault;
+use super::planted::{self, Bug};
 use super::words::{Address, Words};
 use axis::Axes;
 use infeed::{Infeed, Pattern};
@@ -107,7 +108,8 @@ impl Kept {
     /// A code of the motion group is carried out: it ends the cycle, and the chain unless it goes on with it.
     #[inline]
     pub fn select_motion(&mut self, code: u16) {
-        self.cycle = None;
+        let stays = planted::is(Bug::SameCodeGoesOn) && matches!(code, 31..=33);
+        self.cycle = self.cycle.filter(|_| stays);
         self.chain &= matches!(code, 34 | 35);
     }
 
@@ -133,7 +135,8 @@ impl Kept {
     pub fn store_divisor(&mut self, words: &Words, plan: Plan) {
         const WORDS: u32 = Address::set(&[Address::F, Address::J]);
         if words.has_any(WORDS) && plan.one_shot != OneShot::Dwell {
-            self.divisor = words.get(Address::J).unwrap_or(1);
+            let without = if planted::is(Bug::DivisorKept) { self.divisor } else { 1 };
+            self.divisor = words.get(Address::J).unwrap_or(without);
         }
     }
 }

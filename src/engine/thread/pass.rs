@@ -7,6 +7,7 @@ use crate::engine::Interpreter;
 use crate::engine::angle::{self, HALF_TURN};
 use crate::engine::exact::round;
 use crate::engine::fault::Fault;
+use crate::engine::planted::{self, Bug};
 
 use super::axis::Axes;
 use super::exit::{Exit, Run};
@@ -71,7 +72,8 @@ impl Interpreter<'_> {
         if end.saturating_sub(begin).signum() != direction {
             return Err(unspecified(rules::G33_04, "length"));
         }
-        let taper = self.taper(pass, end.saturating_sub(begin))?;
+        let from = if planted::is(Bug::TaperFromCycleStart) { start } else { begin };
+        let taper = self.taper(pass, end.saturating_sub(from))?;
         let (first, last) = match self.setup.readings.taper_reference {
             TaperReference::Start => (level, level.saturating_add(taper)),
             TaperReference::End => (level.saturating_sub(taper), level),
@@ -80,7 +82,9 @@ impl Interpreter<'_> {
         if side == 0 || !clear(first) || !clear(last) {
             return Err(unspecified(rules::G33_04, "side"));
         }
-        lead.check_end(axes.twice_length(begin, end))?;
+        if !planted::is(Bug::LastLeadUntested) {
+            lead.check_end(axes.twice_length(begin, end))?;
+        }
         let (begin, end) = (begin.saturating_add(flank), end.saturating_add(flank));
         let exit = if self.state.thread.chamfer {
             let run = Run { axes, begin, end, first, last, side, start_level, direction, lead };

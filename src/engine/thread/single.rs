@@ -7,6 +7,7 @@ use turnspec_oracle::vocabulary::{LeadAxis, RuleSet, Sink};
 use crate::engine::Interpreter;
 use crate::engine::arithmetic::frame::coordinate;
 use crate::engine::fault::Fault;
+use crate::engine::planted::{self, Bug};
 use crate::engine::words::{Address, Words};
 
 use super::cut::{PassCites, taper_rule};
@@ -42,7 +43,13 @@ impl Meaning {
     fn of(axis: LeadAxis) -> Self {
         use Address::{I, K, X, Z};
         match axis {
-            LeadAxis::Z => Self { end: Z, level: X, taper: I, shift: K, taper_times: 2 },
+            LeadAxis::Z => Self {
+                end: Z,
+                level: X,
+                taper: I,
+                shift: K,
+                taper_times: if planted::is(Bug::TaperHalved) { 1 } else { 2 },
+            },
             LeadAxis::X => Self { end: X, level: Z, taper: K, shift: I, taper_times: 1 },
         }
     }
@@ -85,8 +92,8 @@ impl Cycle {
             shift: words.get(meaning.shift).unwrap_or(kept.shift),
             run_out: words.get(Address::L).or(kept.run_out),
             change: words.get(Address::E).unwrap_or(kept.change),
+            start: words.get(Address::C).filter(|_| planted::is(Bug::AngleOfFollowUp)).unwrap_or(kept.start),
             pass: kept.pass.saturating_add(1),
-            ..kept
         }
     }
 }

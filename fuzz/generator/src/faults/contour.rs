@@ -2,8 +2,8 @@
 
 use turnspec_oracle::vocabulary::{Feature, Length, NoseRadius};
 
+use super::Fault;
 use super::contour_texts as texts;
-use super::{Fault, choose};
 use crate::builder::Builder;
 
 const MM: i64 = 1_000_000;
@@ -12,12 +12,9 @@ const MM: i64 = 1_000_000;
 const READY: [&str; 3] = ["M110", "M146 M15 M24 M20", "G90 G00 X100 Z50 C0 G94 F100"];
 
 impl Builder<'_, '_, '_> {
-    /// A fault of any family, mostly one of contours where the program is to have them.
-    pub(crate) fn any_fault(&mut self) -> Fault {
-        if self.contours && self.choices.chance(75) {
-            return self.choices.weighted(texts::FAULTS);
-        }
-        choose(self.choices, &self.state.setup)
+    /// A fault of contours, mostly, where the program is to have them.
+    pub(super) fn some_contour_fault(&mut self) -> Option<Fault> {
+        (self.contours && self.choices.chance(75)).then(|| self.choices.weighted(texts::FAULTS))
     }
 
     /// Adds blocks with this fault.

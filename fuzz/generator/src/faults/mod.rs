@@ -13,6 +13,8 @@ mod schedule;
 mod state;
 mod statement;
 mod text;
+mod thread_texts;
+mod threads;
 mod turrets;
 
 use turnspec_oracle::vocabulary::{AlarmName, Chamfering, MachineType, Setup, TapeCode, UserAlarmC};
@@ -58,7 +60,7 @@ pub(crate) fn choose(choices: &mut Choices<'_, '_>, setup: &Setup) -> Fault {
     }
 }
 
-/// Whether programs are made to raise it: not the alarms of thread cutting, which is not generated yet.
+/// Whether programs without threads are made to raise it.
 fn is_generated(fault: &Fault) -> bool {
     !matches!(fault, Fault::ThreadInConstantSpeed | Fault::ThreadLeadRange | Fault::ThreadData)
 }
@@ -120,6 +122,7 @@ impl Builder<'_, '_, '_> {
     pub(crate) fn fault(&mut self, fault: Fault) -> bool {
         self.begin();
         self.contour_fault(fault)
+            || self.thread_fault(fault)
             || self.turret_fault(fault)
             || self.io_fault(fault)
             || self.control_fault(fault)
