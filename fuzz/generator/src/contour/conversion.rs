@@ -1,6 +1,6 @@
 //! Coordinate conversion: a run from G137 to G136.
 
-use turnspec_oracle::vocabulary::Feature;
+use turnspec_oracle::vocabulary::{ConversionZeroShift, Feature};
 
 use super::Kept;
 use super::plane::Spot;
@@ -196,7 +196,6 @@ impl Builder<'_, '_, '_> {
 
     /// What a point becomes: program X and C (E100L-CSC-03, E100L-CSC-04).
     pub(super) fn axes_of_point(&self, point: [i64; 2]) -> (i64, i64) {
-        use turnspec_oracle::vocabulary::ConversionZeroShift;
         let spot = Spot::of(point);
         let shift = match self.state.setup.parameters.conversion_zero_shift {
             ConversionZeroShift::Included => 0,

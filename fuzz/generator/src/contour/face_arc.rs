@@ -2,6 +2,7 @@
 
 use super::plane::{Spot, is_too_near};
 use crate::builder::Builder;
+use crate::program::Item;
 use crate::state::{Axis, Mode};
 
 impl Builder<'_, '_, '_> {
@@ -79,18 +80,14 @@ impl Builder<'_, '_, '_> {
         end: Spot,
         exact: Option<i64>,
         counter: bool,
-    ) -> Option<crate::program::Item> {
+    ) -> Option<Item> {
         let (word, radius) = self.radius_above(start.distance(end), exact)?;
         let centre = start.centre(end, radius, counter);
         (!is_too_near(centre, radius)).then_some(word)
     }
 
     /// An L word for an arc with this chord, and what the control reads.
-    pub(super) fn radius_above(
-        &mut self,
-        chord: f64,
-        exact: Option<i64>,
-    ) -> Option<(crate::program::Item, f64)> {
+    pub(super) fn radius_above(&mut self, chord: f64, exact: Option<i64>) -> Option<(Item, f64)> {
         if !(2_000.0..150e9).contains(&chord) {
             return None;
         }

@@ -151,7 +151,7 @@ impl Builder<'_, '_, '_> {
         false
     }
 
-    /// A C word for a program coordinate, in micro-degrees, the angle that is reached, and whether it is the wanted one.
+    /// A C word for a program coordinate, in micro-degrees, and the angle that is reached.
     fn c_word(&mut self, wanted: i64) -> (Item, i64) {
         let present = self.state.program_c();
         let base = if self.state.incremental { present } else { 0 };

@@ -52,7 +52,7 @@ impl Builder<'_, '_, '_> {
         };
         let (words, point) = self.point_words(wanted, start, chosen);
         items.extend(words);
-        let (x, c) = self.axes_of_point(point);
+        let (x, _) = self.axes_of_point(point);
         if !self.bears_point(start, point, x, course) {
             return false;
         }
@@ -68,7 +68,6 @@ impl Builder<'_, '_, '_> {
             let Some(word) = self.radius_of_arc(one, other, exact, counter) else { return false };
             items.push(word);
         }
-        debug_assert!((0..360_000_000).contains(&c));
         if chosen == [false, false] {
             let from = self.present();
             self.travelled(from, self.present(), None);

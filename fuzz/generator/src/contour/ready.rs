@@ -4,7 +4,8 @@ use turnspec_oracle::vocabulary::Feature;
 
 use crate::builder::{Builder, Kind};
 use crate::companions::has;
-use crate::program::Item;
+use crate::number::Number;
+use crate::program::{Item, Value};
 use crate::state::{Axis, Mode};
 
 impl Builder<'_, '_, '_> {
@@ -152,8 +153,6 @@ impl Builder<'_, '_, '_> {
 
 /// Whether it is this M code, as a plain number.
 fn is_m(item: &Item, code: i64) -> bool {
-    use crate::number::Number;
-    use crate::program::Value;
     matches!(item, Item::Word(word) if word.address == "M"
         && matches!(&word.value, Value::Plain(number) if *number == Number::whole(code)))
 }
