@@ -97,8 +97,9 @@ impl Builder<'_, '_, '_> {
             return true;
         }
         let undescribed = fault == Some(AlarmName::Unspecified);
-        if undescribed && self.choices.chance(6) {
-            self.state.setup.schedule = self.state.is_eia() || self.choices.chance(50);
+        if undescribed && self.choices.chance(6) && self.allows(Feature::Schedule) {
+            let headless = self.state.is_eia() || !self.allows(Feature::ProgramName);
+            self.state.setup.schedule = headless || self.choices.chance(50);
             if !self.state.setup.schedule {
                 self.raw(b"$PAIR.SDF%");
             }
