@@ -352,7 +352,6 @@ fn foreign_event(event: &Event, features: &[Feature]) -> String {
             let feeds = [Feature::Linear, Feature::Torque, Feature::ContourGeneration];
             has(Feature::Feed) && feeds.into_iter().any(has)
         }
-        Action::ContourArc { .. } => has(Feature::ContourGeneration),
         Action::Arc { .. } => has(Feature::Feed) && (has(Feature::Arc) || has(Feature::Rounding)),
         Action::ContourArc { .. } => has(Feature::ContourGeneration),
         Action::Thread { .. } => has(Feature::Thread),
