@@ -3,6 +3,7 @@
 use turnspec_oracle::vocabulary::{Feature, MachineType};
 
 use crate::choices::Choices;
+use crate::contour;
 use crate::control;
 use crate::faults::{self, Fault};
 use crate::io;
@@ -30,6 +31,8 @@ pub(crate) struct Builder<'b, 'c, 'd> {
     pub(crate) whole: Profile,
     /// How often a block is one of control flow.
     pub(crate) control: usize,
+    /// Whether the program is to have contours.
+    pub(crate) contours: bool,
     /// Whether the program is to have threads.
     pub(crate) threads: bool,
     /// Constructions of control flow around the present place.
@@ -70,6 +73,7 @@ pub(crate) enum Kind {
     Barrier,
     Io,
     Turret,
+    Contour,
     Thread,
 }
 
@@ -93,6 +97,8 @@ const KINDS: &[(usize, Kind)] = &[
 /// How often a block begins compensation, in programs that are to have it and in others.
 const START_UPS: (usize, usize) = (40, 1);
 
+/// How often a run of contours comes in programs that are to have them.
+const CONTOURS: usize = 60;
 /// The same in programs that are to have threads, and how often a block cuts one there.
 const BESIDE_THREADS: usize = 8;
 const THREADS: usize = 70;
@@ -131,6 +137,7 @@ impl Kind {
             Self::Barrier => any(&[Feature::Barrier]),
             Self::Io => io::is_within(profile),
             Self::Turret => any(&[Feature::TwoTurrets]),
+            Self::Contour => contour::is_within(profile),
             Self::Thread => threads::is_within(profile),
         }
     }
@@ -145,18 +152,23 @@ impl<'b, 'c, 'd> Builder<'b, 'c, 'd> {
         let expressions = choices.pick(&[0, 3, 10, 40]);
         let expressions = if profile.allows(Feature::Expression) { expressions } else { 0 };
         let (many, few) = START_UPS;
-        let (start_ups, threads) = match choices.below(100) {
-            60.. => (many, 0),
-            47..60 if threads::is_within(&profile) => (BESIDE_THREADS, THREADS),
-            _ => (few, 0),
+        let (start_ups, threads, contours) = match choices.below(100) {
+            60.. => (many, 0, 0),
+            47..60 if threads::is_within(&profile) => (BESIDE_THREADS, THREADS, 0),
+            40..47 if contour::is_within(&profile) => (few, 0, CONTOURS),
+            _ => (few, 0, 0),
         };
         if threads > 0 {
             threads::set_up(&mut state.setup, choices, &profile);
+        }
+        if contours > 0 {
+            contour::set_up(&mut state.setup, choices);
         }
         let control = if choices.chance(50) { CONTROL + threads / 3 } else { 0 };
         let barrier = if state.barriers.is_wanted() { BARRIER } else { 0 };
         let io = if state.io.is_wanted() { IO } else { 0 };
         let special = [
+            (contours, Kind::Contour),
             (start_ups, Kind::StartUp),
             (control, Kind::Control),
             (barrier, Kind::Barrier),
@@ -176,6 +188,7 @@ impl<'b, 'c, 'd> Builder<'b, 'c, 'd> {
             profile,
             whole: profile,
             control,
+            contours: contours > 0,
             threads: threads > 0,
             nesting: 0,
             left: 0,
@@ -464,6 +477,7 @@ impl<'b, 'c, 'd> Builder<'b, 'c, 'd> {
             Kind::Barrier => self.barrier(),
             Kind::Io => self.io(),
             Kind::Turret => self.turret_block(),
+            Kind::Contour => self.contours(),
             Kind::Thread => self.thread(),
         }
     }

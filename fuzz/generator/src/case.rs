@@ -9,7 +9,7 @@ use crate::print::{self, Style};
 use crate::profile::Profile;
 use crate::program::Program;
 use crate::state::State;
-use crate::{setup, tape, threads};
+use crate::{contour, setup, tape, threads};
 
 /// How many bytes a seed is stretched to: enough for a program of the greatest size.
 const STRETCHED: usize = 16 * 1024;
@@ -40,6 +40,7 @@ impl Case {
         let mut setup = setup::setup(choices, &Profile::FULL);
         if choices.chance(30) {
             threads::set_up(&mut setup, choices, &Profile::FULL);
+            contour::set_up(&mut setup, choices);
         }
         setup.limits.steps = RAW_STEPS;
         Self { setup, program: program.to_vec() }

@@ -81,14 +81,14 @@ pub const G_UNSPECIFIED: &[i64] =
 /// G codes that are assigned and not modelled. The first seven stand twice, in the places of those of thread cutting, so
 /// that seeds give the programs that they gave.
 pub const G_LATER: &[i64] = &[
-    73, 74, 77, 78, 80, 81, 82, 73, 74, 77, 78, 80, 81, 82, 83, 84, 85, 86, 87, 88, 101, 102, 103, 112, 113,
-    132, 133, 136, 137, 138, 178, 179, 180, 181, 182, 190, 312, 313,
+    73, 74, 77, 78, 80, 81, 82, 73, 74, 77, 78, 80, 81, 82, 83, 84, 85, 86, 87, 88, 112, 113, 138, 178, 179,
+    180, 181, 182, 190,
 ];
 
 /// G codes that are not assigned.
 pub const G_UNASSIGNED: &[i64] = &[
     5, 6, 12, 15, 16, 23, 27, 38, 39, 43, 49, 51, 54, 61, 63, 66, 70, 79, 89, 92, 93, 98, 99, 104, 106, 109,
-    114, 200, 215, 999,
+    114, 200, 215, 312, 313, 999,
 ];
 
 /// An M code without group; `place` counts through all of them.

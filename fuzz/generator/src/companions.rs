@@ -226,6 +226,7 @@ impl Builder<'_, '_, '_> {
     /// Changes the state as an M code does.
     fn note_m(&mut self, code: i64) {
         self.state.barriers.note_m(code);
+        self.state.contours.note_m(code);
         match code {
             109 => (self.state.joined, self.state.plane) = (false, 18),
             110 => self.state.joined = true,

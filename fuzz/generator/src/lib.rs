@@ -21,6 +21,7 @@ mod choices;
 mod codes;
 mod companions;
 mod compensation;
+mod contour;
 mod control;
 mod environment;
 mod estimate;

@@ -4,6 +4,7 @@ use turnspec_oracle::vocabulary::{
     AxisAmounts, Feature, MachineType, PlaneAmounts, Setup, TapeCode, UnitSystem,
 };
 
+use crate::contour;
 use crate::io::INTERFERENCE;
 use crate::profile::Features;
 
@@ -65,6 +66,7 @@ pub(crate) fn of_g_code(code: i64, machine: MachineType) -> &'static [Feature] {
         34 | 35 => &[Feature::Thread],
         50 => &[],
         64 | 65 => &[Feature::Aux],
+        101..=103 | 132 | 133 | 136 | 137 => &[Feature::ContourGeneration],
         75 => &[Feature::Chamfer],
         76 => &[Feature::Rounding],
         90 => &[Feature::Absolute],
@@ -143,6 +145,7 @@ pub(crate) fn of_setup(setup: &Setup) -> Features {
         (!setup.inputs.turret_clamp_confirmed, Feature::Turret),
         (setup.inputs.restart, Feature::SystemVariable),
         (!setup.variables.is_empty(), Feature::Variable),
+        (contour::is_set_up(setup), Feature::ContourGeneration),
         (setup.schedule, Feature::Schedule),
         (!setup.devices.is_empty(), Feature::Communication),
         (setup.parameters.end_code != plain.parameters.end_code, Feature::Communication),

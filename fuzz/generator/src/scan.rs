@@ -267,10 +267,17 @@ impl Scan<'_> {
                 Mode::Clockwise | Mode::CounterClockwise => &[Feature::Arc],
                 Mode::GrowingThread | Mode::ShrinkingThread => &[Feature::Thread],
                 Mode::ThreadAlong | Mode::ThreadAlongToo | Mode::ThreadAcross => needs::PASSES,
+                _ => &[Feature::ContourGeneration],
             });
         }
-        let threads =
-            !matches!(self.mode, Mode::Rapid | Mode::Linear | Mode::Clockwise | Mode::CounterClockwise);
+        let threads = matches!(
+            self.mode,
+            Mode::GrowingThread
+                | Mode::ShrinkingThread
+                | Mode::ThreadAlong
+                | Mode::ThreadAlongToo
+                | Mode::ThreadAcross
+        );
         if !threads && !block.compound {
             for (written, feature) in
                 [(block.centre, Feature::Arc), (block.depth, Feature::Torque), (block.cycle, Feature::Alarm)]
@@ -394,6 +401,7 @@ impl Scan<'_> {
             b'X' | b'Z' | b'L' | b'I' | b'K' | b'D' | b'E' | b'J' | b'Q' | b'B' | b'U' | b'H' => &[],
             b'A' => &[Feature::AnyAngle],
             b'C' => &[Feature::CAxis],
+            b'Y' => &[Feature::ContourGeneration],
             b'W' => &[Feature::WAxis],
             b'F' => &[],
             b'S' => &[Feature::Spindle],
@@ -405,7 +413,7 @@ impl Scan<'_> {
         self.block.feed |= letter == b'F';
         self.block.speed |= letter == b'S';
         self.block.axis |=
-            matches!(letter, b'X' | b'Z' | b'C' | b'W' | b'A' | b'I' | b'K' | b'L' | b'E' | b'J');
+            matches!(letter, b'X' | b'Y' | b'Z' | b'C' | b'W' | b'A' | b'I' | b'K' | b'L' | b'E' | b'J');
         self.block.centre |= matches!(letter, b'I' | b'K');
         self.block.depth |= letter == b'D';
         self.block.cycle |= matches!(letter, b'E' | b'J' | b'Q' | b'B' | b'U' | b'H');
@@ -435,6 +443,7 @@ impl Scan<'_> {
             1 => Mode::Linear,
             2 => Mode::Clockwise,
             3 => Mode::CounterClockwise,
+            101..=103 | 132 | 133 | 137 => Mode::of_contour(code),
             31..=35 => Mode::of_thread(code),
             _ => self.mode,
         };

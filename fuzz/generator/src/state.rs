@@ -10,6 +10,7 @@ use turnspec_oracle::vocabulary::{Length, Limit, Setup, TapeCode, ToolOffsetSign
 use crate::barriers::Areas;
 use crate::choices::Choices;
 use crate::compensation::Compensation;
+use crate::contour::Contours;
 use crate::control::Control;
 use crate::environment::Environment;
 use crate::io::Io;
@@ -58,6 +59,18 @@ pub enum Mode {
     GrowingThread = 34,
     /// G35.
     ShrinkingThread = 35,
+    /// G101.
+    FaceLine = 101,
+    /// G102.
+    FaceClockwise = 102,
+    /// G103.
+    FaceCounter = 103,
+    /// G132.
+    SideClockwise = 132,
+    /// G133.
+    SideCounter = 133,
+    /// None, after G137.
+    None = 137,
 }
 
 /// The forecast.
@@ -127,6 +140,8 @@ pub struct State {
     pub schedule: Schedule,
     /// The turret that is selected, and the data of the other one.
     pub turrets: Turrets,
+    /// Contours and coordinate conversion.
+    pub contours: Contours,
     /// What expressions of the present block read.
     pub environment: Environment,
 }
@@ -171,6 +186,7 @@ impl State {
             io: Io::new(&setup),
             schedule: Schedule::default(),
             turrets: Turrets::new(&setup),
+            contours: Contours::default(),
             environment: Environment::new(units, setup.options.offset_sets, setup.options.user_task == 2),
             setup,
         };

@@ -123,7 +123,10 @@ impl Builder<'_, '_, '_> {
         self.state.feed = true;
         self.state.threads.note_feed(!self.state.per_minute, amount as f64);
         let mantissa = (i128::from(amount) * 10_000 / i128::from(unit)).max(1);
-        let mut number = Number::decimal(i64::try_from(mantissa).unwrap_or(1), 4);
+        let mantissa = i64::try_from(mantissa).unwrap_or(1);
+        // Eight digits at most (E100L-DEC-04).
+        let (mantissa, decimals) = if mantissa > 99_999_999 { (mantissa / 100, 2) } else { (mantissa, 4) };
+        let mut number = Number::decimal(mantissa, decimals);
         if number.mantissa <= 999_999 && self.choices.chance(10) {
             number = Number::decimal(number.mantissa * 10 + 1, number.decimals + 1);
         }

@@ -84,6 +84,15 @@ fn faults_need_no_more_than_the_profile() {
     assert!((SEEDS / 20..SEEDS / 2).contains(&alarms), "{alarms} of {SEEDS} programs raised an alarm");
 }
 
+/// A small interpreter with a C axis has contours.
+#[test]
+fn contours_need_no_more_than_the_profile() {
+    let features = [SMALL, &[Feature::CAxis, Feature::ContourGeneration]].concat();
+    let ran = stays_within(&features);
+    assert!(ran.ended * 100 >= SEEDS * 95, "{} of {SEEDS} programs ended", ran.ended);
+    assert!(ran.kinds.contains("contour_arc"), "no contour_arc event");
+}
+
 /// Threads with no more than they need.
 #[test]
 fn programs_with_threads_stay_within_and_end() {
@@ -271,7 +280,8 @@ fn foreign_word(line: &str, features: &[Feature]) -> Option<String> {
         ("T", has(Feature::Tool)),
         ("V", has(Feature::Variable) || has(Feature::SystemVariable)),
         ("BEHJQU", has(Feature::Alarm) || has(Feature::Thread)),
-        ("RY", has(Feature::Alarm)),
+        ("R", has(Feature::Alarm)),
+        ("Y", has(Feature::Alarm) || has(Feature::ContourGeneration)),
         ("P", has(Feature::Alarm) || has(Feature::TwoSaddles)),
         ("O", has(Feature::Subprogram) || has(Feature::ModalCall) || has(Feature::Alarm)),
     ];
@@ -338,7 +348,10 @@ fn foreign_event(event: &Event, features: &[Feature]) -> String {
     let has = |feature: Feature| features.contains(&feature);
     let allowed = match &event.action {
         Action::Rapid { .. } => has(Feature::Rapid),
-        Action::Linear { .. } => has(Feature::Feed) && (has(Feature::Linear) || has(Feature::Torque)),
+        Action::Linear { .. } => {
+            let feeds = [Feature::Linear, Feature::Torque, Feature::ContourGeneration];
+            has(Feature::Feed) && feeds.into_iter().any(has)
+        }
         Action::Arc { .. } => has(Feature::Feed) && (has(Feature::Arc) || has(Feature::Rounding)),
         Action::ContourArc { .. } => has(Feature::ContourGeneration),
         Action::Thread { .. } => has(Feature::Thread),
@@ -393,6 +406,7 @@ fn rule_allowed(id: &str, features: &[Feature]) -> bool {
     let about: &[Feature] = match area {
         "ANG" | "DTAP" => &[Feature::AnyAngle, Feature::Chamfer, Feature::Rounding],
         "BARR" => &[Feature::Barrier],
+        "CGF" | "CGS" | "CSC" => &[Feature::ContourGeneration],
         "BOOL" => &[Feature::Boolean],
         "CALL" | "RTS" => &[Feature::Subprogram, Feature::ModalCall],
         "GOTO" | "IFST" | "NOEX" => &[Feature::ControlStatement],

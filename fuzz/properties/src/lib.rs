@@ -5,12 +5,15 @@
 //! tests of this crate call it with the bytes of seeds and with kept regressions, so that each property is
 //! exercised wherever `cargo test` runs. Every input is answered: one that gives no case holds.
 
+mod contour_pairs;
+mod contours;
 mod differential;
 mod expression;
 mod metamorphic;
 mod parse;
 mod path;
 mod perturbation;
+mod plane;
 mod round_trip;
 mod seed;
 mod setup;
@@ -47,6 +50,7 @@ pub const PROPERTIES: &[Property] = &[
     Property { name: "termination", holds: termination::programs_end },
     Property { name: "perturbation", holds: perturbation::a_small_change_moves_little },
     Property { name: "threads", holds: threads::threads_are_whole },
+    Property { name: "contours", holds: contours::contours_are_true },
     Property { name: "metamorphic", holds: metamorphic::rewritten_programs_do_the_same },
 ];
 

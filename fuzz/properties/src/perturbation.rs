@@ -28,6 +28,10 @@ const THRESHOLDS: &[AlarmName] = &[
     AlarmName::CompensationNoIntersection,
     // E100L-NRC-21, an element that becomes a repetition.
     AlarmName::CompensationStartUp,
+    // E100L-CGF-08, E100L-CGS-03, E100L-CSC-10.
+    AlarmName::ContourXNotPositive,
+    AlarmName::ContourXChanged,
+    AlarmName::ConversionAtLimit,
     AlarmName::ThreadLeadRange,
     // E100L-CIRC-07, a circle that closes on its start; E100L-TRQ-04, an approach without room.
     AlarmName::Unspecified,
@@ -40,9 +44,13 @@ const BOUNDS: &[RuleId] = &[LIM_01, CSS_04, SMAX_01];
 /// Rules of corners whose elements may have no length: none is emitted then.
 const CORNERS: &[RuleId] = &[ANG_03, ANG_04, CHAM_03, CHAM_11];
 
-/// Rules of end points that are computed by division: from an angle, from a circle, at a corner of any angle.
+/// Rules of lines on the face whose motions are others where an end is the centre, or a ray leads through both ends.
+const ROWS: &[RuleId] = &[CGF_09, CGF_10, CGF_11];
+
+/// Rules of end points that are computed by division: from an angle, from a circle, at a corner of any angle; or from a point
+/// in conversion mode.
 /// Close to parallel lines and tangents they move by more than their data.
-const COMPUTED: &[RuleId] = &[DTAP_03, ANG_01, ANG_03, ANG_04, ANG_05, ANG_06, CIRC_08];
+const COMPUTED: &[RuleId] = &[DTAP_03, ANG_01, ANG_03, ANG_04, ANG_05, ANG_06, CIRC_08, CSC_03];
 
 /// Rules of a pass whose levels are computed from an angle; the passes behind it begin where it did.
 const TAPERED: &[RuleId] = &[G33_06];
@@ -58,10 +66,11 @@ const STEADY: &[RuleId] = &[NRC_15, NRC_26, NRC_30, NRC_44, NRC_45, NRC_66, NRC_
 ///    those of bounds: LIM-01, CSS-04, SMAX-01), up to the first threshold that one of them crosses. A
 ///    threshold shows as an alarm of `THRESHOLDS` in one of them (or as another alarm that both have at the
 ///    same line), as an element of a corner that has no length in one of them, as a chamfer of a thread that reaches the level of
-///    the cycle start in one of them only, or as a zero shift that is
+///    the cycle start in one of them only, as a line on the face that meets the centre or lies on one ray with it in one of them,
+///    or as a zero shift that is
 ///    zero in one of them at the reset.
 /// 2. **Distance.** Up to that place, and up to the first end point that is computed from an angle, from a
-///    circle and one coordinate, or at a corner of any angle, every machine coordinate of the axis of that
+///    circle and one coordinate, at a corner of any angle, or from a point in conversion mode, every machine coordinate of the axis of that
 ///    word moves by at least nothing and at most the increment, in the same direction throughout; the other
 ///    axes do not move at all. (1000 nm; from inches at most 3000 nm, since words are rounded to 0.001 mm.)
 ///    The beginning and the end of a chamfer of a thread are computed from the whole pass, and the levels of a thread at
@@ -121,8 +130,9 @@ fn same_shape(before: &[Event], after: &[Event]) -> Result<usize, String> {
         };
         let corner = events.iter().any(|event| cites(event, CORNERS));
         let compensated = events.iter().any(|event| cites(event, &[NRC_46])) || corners_differ(one, other);
-        let threshold =
-            corner || compensated || exits_differ(one, other) || events.iter().any(|event| known(event));
+        let row = events.iter().any(|event| cites(event, ROWS));
+        let exits = exits_differ(one, other);
+        let threshold = corner || row || compensated || exits || events.iter().any(|event| known(event));
         require(threshold, || format!("{one:?}\n{other:?}"))?;
         let line = one.block.line.min(other.block.line);
         return Ok(before.iter().take(index).take_while(|event| event.block.line < line).count());
@@ -148,11 +158,12 @@ fn shape(event: &Event) -> String {
         Action::Rapid { motion } => format!("rapid {:?} {:?}", motion.pass, motion.part),
         Action::Linear { motion, feed, .. } => format!("linear {feed:?} {:?} {:?}", motion.pass, motion.part),
         // The lead is that of the place where the motion begins.
-        Action::Thread { motion, axis, change, start, lead } => {
+        Action::Thread { motion, axis, change, start, lead, .. } => {
             let lead = if motion.part == Some(Part::Exit) { None } else { Some(lead) };
             format!("thread {:?} {:?} {axis:?} {change:?} {start:?} {lead:?}", motion.pass, motion.part)
         }
         Action::Arc { feed, sense, .. } => format!("arc {feed:?} {sense:?}"),
+        Action::ContourArc { feed, sense, .. } => format!("contour_arc {feed:?} {sense:?}"),
         Action::Frame { cause, .. } => format!("frame {cause:?}"),
         Action::Spindle(spindle) => {
             format!("{:?} {:?} {} {}", spindle.spindle, spindle.state, spindle.gear, spindle.with_motion)

@@ -24,7 +24,8 @@ pub(crate) fn motion(event: &Event) -> Option<Motion> {
         Action::Rapid { motion }
         | Action::Linear { motion, .. }
         | Action::Arc { motion, .. }
-        | Action::Thread { motion, .. } => Some(motion),
+        | Action::Thread { motion, .. }
+        | Action::ContourArc { motion, .. } => Some(motion),
         _ => None,
     }
 }

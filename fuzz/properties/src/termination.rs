@@ -21,9 +21,9 @@ use crate::{Verdict, require};
 /// | S, SA, SB: each once in a block (E100L-FMT-06) | 3 |
 /// | T: `tool` and `frame` | 2 |
 /// | M words: eight (E100L-FMT-06), each one event | 8 |
-/// | motion: two elements of a corner, or two of a torque skip; or a dwell; or the motions of a pass of a thread | 6 |
-/// | M02, M30 (E100L-MCODE-04): besides `end` seven modes, those of the turrets among them, and a `frame` for each turret | 9 |
-const BLOCK: usize = 36;
+/// | motion: two elements of a corner, two of a torque skip, or three of a contour; or a dwell; or the motions of a pass of a thread | 6 |
+/// | M02, M30 (E100L-MCODE-04): besides `end` eight modes, those of the turrets and of conversion among them, and a `frame` for each turret | 10 |
+const BLOCK: usize = 37;
 
 /// What a block may have more on two saddles: `wait` and `release` at P and at M100, `side_end`, and the reset of the other
 /// side, five modes and a `frame` less what stands above for the turrets.
@@ -43,7 +43,7 @@ const LONGEST: usize = 158;
 const MODAL_CALLS: usize = 8;
 
 /// A program runs to an end. Without control flow a step reads at least one line or is the last one, so that there are
-/// at most two steps more than ends of block; a block of n characters emits at most 36 + 2⌊n/4⌋ events, and one more if
+/// at most two steps more than ends of block; a block of n characters emits at most 37 + 2⌊n/4⌋ events, and one more if
 /// it is an alarm; and blocks follow the order of the text. A pass of G71 or G72 but the first of its block is a step too, and has six
 /// events at most. On two saddles there are four times as many steps at most, a
 /// block has nine events more, and the order is that of the text for each side up to the end of both. With control flow a step takes at least one block, of which

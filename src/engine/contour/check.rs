@@ -9,6 +9,7 @@ use crate::engine::block::OneShot;
 use crate::engine::codes::{self, GGroup};
 use crate::engine::compensation::Change;
 use crate::engine::fault::Fault;
+use crate::engine::planted::{self, Bug};
 use crate::engine::words::{Address, Words};
 
 use super::{NO_CODE, POINT, is_face_mode, unspecified};
@@ -115,7 +116,8 @@ impl Interpreter<'_> {
         let after = words.code_of(GGroup::Compensation).map_or(before, |code| code != 40);
         let of_side = matches!(words.code_of(GGroup::Motion), Some(132 | 133))
             || contour_block && !is_face_mode(motion);
-        if of_side && self.setup.parameters.side_contour_mode && plane != 119 {
+        let tested = if planted::is(Bug::PlaneBeforeBlock) { self.state.plane } else { plane };
+        if of_side && self.setup.parameters.side_contour_mode && tested != 119 {
             return Fault::raise(AlarmName::ContourCommandUnusable, rules::CGS_08);
         }
         if one_shot == OneShot::BeginConversion && after {

@@ -7,6 +7,7 @@ use turnspec_oracle::vocabulary::{ConversionZeroShift, RuleSet};
 use crate::engine::Interpreter;
 use crate::engine::arithmetic::contour::Spot;
 use crate::engine::arithmetic::frame::coordinate;
+use crate::engine::planted::{self, Bug};
 use crate::engine::state::{C, X};
 use crate::engine::words::{Address, Words};
 
@@ -19,7 +20,7 @@ impl Interpreter<'_> {
         let (kept, shift) = self.state.contour.conversion?.kept?;
         let state = &self.state;
         let now = (state.program(X), state.program(C), state.zero_shift[C]);
-        ((kept.x, kept.c, shift) == now).then_some(kept)
+        ((kept.x, kept.c, shift) == now || planted::is(Bug::LostPointHolds)).then_some(kept)
     }
 
     /// Keeps the point that a block has programmed.
@@ -49,6 +50,9 @@ impl Interpreter<'_> {
         let angle = self.state.contour.conversion.map_or(0, |conversion| conversion.angle);
         let axis = match self.setup.parameters.conversion_zero_shift {
             ConversionZeroShift::Included => angle,
+            ConversionZeroShift::Excluded if planted::is(Bug::ShiftTurnsBack) => {
+                angle.saturating_add(self.state.zero_shift[C])
+            }
             ConversionZeroShift::Excluded => angle.saturating_sub(self.state.zero_shift[C]),
         };
         Station { point, x: diameter(point), c: direction(point, axis, &mut self.slow) }

@@ -8,6 +8,7 @@ use crate::engine::arithmetic::contour::{Spot, cross, dot, passes_near, square, 
 use crate::engine::arithmetic::frame::coordinate;
 use crate::engine::arithmetic::turn;
 use crate::engine::fault::Fault;
+use crate::engine::planted::{self, Bug};
 use crate::engine::state::{C, X, Z};
 use crate::engine::words::{Address, Words};
 
@@ -85,7 +86,7 @@ impl Course {
 
     /// The exact distance of the ends.
     fn chord(&self) -> Chord {
-        if self.converted {
+        if self.converted || planted::is(Bug::LatchedChord) {
             Chord::Whole(4 * square(way(self.start.point, self.end.point)))
         } else {
             Chord::on_face(self.start.x, self.end.x, turn::within(self.end.c - self.start.c))
@@ -103,10 +104,11 @@ impl Course {
         };
         let distance = square(centre);
         let against = self.bearing != Bearing::Opposite && positive != left;
-        if (against || self.bearing == Bearing::Opposite) && passes_near(distance, radius, NEAREST) {
+        let near = passes_near(distance, radius, NEAREST) && !planted::is(Bug::NearCentreCut);
+        if (against || self.bearing == Bearing::Opposite) && near {
             return Err(unspecified(CGF_04, "centre"));
         }
-        let encloses = distance < i128::from(radius) * i128::from(radius);
+        let encloses = distance < i128::from(radius) * i128::from(radius) && !planted::is(Bug::ArcWithChord);
         Ok(self.turn(if against && encloses { positive } else { left }))
     }
 }

@@ -8,6 +8,7 @@ use crate::engine::arithmetic::contour::{Spot, percent_of, square, turn_length, 
 use crate::engine::arithmetic::root::root_over;
 use crate::engine::arithmetic::{feed, turn};
 use crate::engine::fault::Fault;
+use crate::engine::planted::{self, Bug};
 
 use super::Station;
 use super::face::{Bearing, Course};
@@ -31,9 +32,9 @@ impl Lines {
             Bearing::Centre if start.c == end.c => Self::One(0),
             Bearing::Centre => Self::Apart(turn::shorter(start.c, end.c)),
             Bearing::Same => Self::One(0),
-            Bearing::Opposite => Self::Apart(course.turn(true)),
+            Bearing::Opposite => Self::Apart(course.turn(!planted::is(Bug::ThroughCentreBackward))),
             Bearing::Left => Self::One(course.turn(true)),
-            Bearing::Right => Self::One(course.turn(false)),
+            Bearing::Right => Self::One(course.turn(planted::is(Bug::LineTurnsForward))),
         };
         let travels = course.z_target.is_some_and(|z| z != course.z);
         match lines {
@@ -69,6 +70,7 @@ impl Lines {
             Self::One(travel) => [Some(leg(course.length(travel), end, travel, None)), None, None],
             Self::Apart(travel) => {
                 let centre = |c| Station { point: Spot::default(), x: 0, c };
+                let percent = if planted::is(Bug::OverrideIgnored) { 100 } else { percent };
                 let slow = Feed { value: FeedRate(percent_of(feed.value.0, percent)), ..feed };
                 let turn = Leg {
                     feed: slow,

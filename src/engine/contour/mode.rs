@@ -7,6 +7,7 @@ use turnspec_oracle::vocabulary::{Action, AlarmName, Angle, Label, RuleSet, Sink
 use crate::engine::Interpreter;
 use crate::engine::arithmetic::turn;
 use crate::engine::fault::Fault;
+use crate::engine::planted::{self, Bug};
 use crate::engine::state::{X, Z};
 use crate::engine::words::{Address, Words};
 
@@ -40,10 +41,16 @@ impl Interpreter<'_> {
         if self.stands_at_limit(X) || self.stands_at_limit(Z) {
             return Fault::raise(AlarmName::ConversionAtLimit, CSC_10);
         }
-        let angle = turn::within(angle);
+        let present = self.state.contour.conversion.map(|conversion| conversion.angle);
+        let angle = match present.filter(|_| planted::is(Bug::DirectionKept)) {
+            Some(present) => present,
+            None => turn::within(angle),
+        };
         let before = self.state.contour.conversion.replace(Conversion { angle, kept: None });
-        self.state.motion = NO_CODE;
-        self.state.thread.select_motion(NO_CODE);
+        if before.is_none() || !planted::is(Bug::CodeKept) {
+            self.state.motion = NO_CODE;
+            self.state.thread.select_motion(NO_CODE);
+        }
         let action = Action::Mode {
             group: const { Label::new("conversion") },
             code: Label::of_code(b'G', 137),
@@ -58,7 +65,8 @@ impl Interpreter<'_> {
     fn stands_at_limit(&self, axis: usize) -> bool {
         let place = self.state.machine[axis];
         let machine = if axis == X { self.state.machine_x(place) } else { place };
-        self.state.positive_limits[axis].is_some_and(|limit| machine >= limit)
+        self.state.positive_limits[axis]
+            .is_some_and(|limit| machine >= limit && !planted::is(Bug::AtLimitAllowed))
             || self.state.negative_limits[axis].is_some_and(|limit| machine <= limit)
     }
 }

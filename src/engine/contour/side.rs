@@ -10,6 +10,7 @@ use crate::engine::arithmetic::turn;
 use crate::engine::cite;
 use crate::engine::exact::{Formula, Real, round};
 use crate::engine::fault::Fault;
+use crate::engine::planted::{self, Bug};
 use crate::engine::state::{C, X, Z};
 use crate::engine::words::{Address, Words};
 
@@ -88,7 +89,8 @@ impl Interpreter<'_> {
     ) -> Result<Shape, Fault> {
         let sense = sense(motion);
         let around = round(&Surface { diameter, turn: travel }, &mut self.slow);
-        let inner = self.setup.parameters.side_plane == SidePlane::Inner;
+        let inner =
+            self.setup.parameters.side_plane == SidePlane::Inner && !planted::is(Bug::InnerPlaneIgnored);
         // Seen from inside the developed surface is mirrored.
         let seen = |around: i64| if inner { around.saturating_neg() } else { around };
         let arc = Arc {

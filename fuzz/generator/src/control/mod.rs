@@ -101,7 +101,7 @@ impl Control {
             Kind::StartUp => {
                 !self.steady && self.modes.len() < 2 && self.modes.iter().all(|mode| mode.called.is_short())
             }
-            Kind::Shift | Kind::Torque | Kind::CAxis => !self.steady,
+            Kind::Shift | Kind::Torque | Kind::CAxis | Kind::Contour => !self.steady,
             _ => true,
         }
     }
@@ -293,7 +293,7 @@ impl Builder<'_, '_, '_> {
     }
 
     /// Whether a modal call is active whose program moves.
-    fn is_modal_motion(&self) -> bool {
+    pub(crate) fn is_modal_motion(&self) -> bool {
         self.state.control.modes.iter().any(|mode| mode.called.moves())
     }
 

@@ -4,6 +4,8 @@
 
 mod barrier;
 mod compensation;
+mod contour;
+mod contour_texts;
 mod control;
 mod io;
 mod motion;
@@ -119,7 +121,8 @@ impl Builder<'_, '_, '_> {
     /// Adds the blocks of a fault.
     pub(crate) fn fault(&mut self, fault: Fault) -> bool {
         self.begin();
-        self.thread_fault(fault)
+        self.contour_fault(fault)
+            || self.thread_fault(fault)
             || self.turret_fault(fault)
             || self.io_fault(fault)
             || self.control_fault(fault)

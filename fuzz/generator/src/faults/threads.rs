@@ -12,12 +12,12 @@ use crate::state::{Axis, Mode};
 const MM: i64 = 1_000_000;
 
 impl Builder<'_, '_, '_> {
-    /// A fault of any family, mostly one of threads where the program is to have them.
+    /// A fault of any family, mostly one of threads or contours where the program is to have them.
     pub(crate) fn any_fault(&mut self) -> Fault {
         if self.threads && self.choices.chance(75) {
             return self.choices.weighted(texts::FAULTS);
         }
-        choose(self.choices, &self.state.setup)
+        self.some_contour_fault().unwrap_or_else(|| choose(self.choices, &self.state.setup))
     }
 
     /// Adds blocks with this fault.

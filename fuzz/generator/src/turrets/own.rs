@@ -63,7 +63,7 @@ impl Turrets {
     pub(crate) fn permits(&self, kind: Kind, steady: bool) -> bool {
         match kind {
             Kind::Turret => self.machine == MachineType::TwoTurrets && !steady,
-            Kind::CAxis => match self.machine {
+            Kind::CAxis | Kind::Contour => match self.machine {
                 MachineType::OneTurret => true,
                 MachineType::TwoTurrets => self.selected == Side::A,
                 MachineType::TwoSaddles => false,

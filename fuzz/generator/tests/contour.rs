@@ -1,0 +1,315 @@
+//! Generated programs reach contours with the C axis and coordinate conversion: how many, how deep, and every rule and alarm
+//! of them.
+
+mod support;
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use turnspec_generator::{Case, case_from_seed};
+use turnspec_oracle::vocabulary::rule_ids::*;
+use turnspec_oracle::vocabulary::{
+    Action, AlarmName, ContourPlane, Event, FrameCause, Motion, Part, RuleId, Sense, SidePlane,
+};
+
+use support::Citations;
+
+/// Programs in which every rule has to be met.
+const PROGRAMS: u64 = 40_000;
+
+/// The rules that events cite (execution of contours, section 10).
+#[rustfmt::skip]
+const CITED: &[RuleId] = &[
+    CGF_01, CGF_02, CGF_03, CGF_04, CGF_06, CGF_09, CGF_10, CGF_11, CGF_12, CGF_14, CGS_01, CGS_02, CGS_04, CGS_05, CGS_07,
+    CSC_01, CSC_02, CSC_03, CSC_04, CSC_05, CSC_06, CSC_07, CSC_09,
+];
+
+/// The alarms with the rules that they stand for.
+#[rustfmt::skip]
+const ALARMS: &[(AlarmName, RuleId)] = &[
+    (AlarmName::AddressUnknown, ADDR_01),
+    (AlarmName::ArcRadiusNotPositive, CGF_04),
+    (AlarmName::ArcRadiusNotPositive, CGS_04),
+    (AlarmName::ArcRadiusTooSmall, CGF_04),
+    (AlarmName::ArcRadiusTooSmall, CGS_04),
+    (AlarmName::CAxisClamped, CGF_07),
+    (AlarmName::CAxisNotJoined, CGF_07),
+    (AlarmName::CompensationNotAllowed, NRC_81),
+    (AlarmName::ContourArcZ, CGF_05),
+    (AlarmName::ContourCommandUnusable, CGS_08),
+    (AlarmName::ContourXChanged, CGS_03),
+    (AlarmName::ContourXNotPositive, CGF_08),
+    (AlarmName::ContourXNotPositive, CGS_01),
+    (AlarmName::ConversionAtLimit, CSC_10),
+    (AlarmName::ConversionAxisMissing, CSC_06),
+    (AlarmName::ConversionIncremental, CSC_07),
+    (AlarmName::ConversionIncremental, CSC_08),
+    (AlarmName::MotionCodeMissing, CSC_05),
+    (AlarmName::NotAlone, CSC_09),
+    (AlarmName::NotModelled, CGF_01),
+    (AlarmName::NotModelled, CGS_01),
+    (AlarmName::ProfileGeneration, CGS_06),
+    (AlarmName::Unspecified, CGF_02),
+    (AlarmName::Unspecified, CGF_03),
+    (AlarmName::Unspecified, CGF_04),
+    (AlarmName::Unspecified, CGF_14),
+    (AlarmName::Unspecified, CGS_01),
+    (AlarmName::Unspecified, CGS_04),
+    (AlarmName::Unspecified, CRC_06),
+    (AlarmName::Unspecified, CRC_07),
+    (AlarmName::Unspecified, CSC_05),
+    (AlarmName::Unspecified, CSC_06),
+    (AlarmName::Unspecified, CSC_09),
+    (AlarmName::WordMissing, CGF_04),
+    (AlarmName::WordMissing, CGS_04),
+    (AlarmName::WordMissing, CSC_01),
+];
+
+/// Details of alarms of contours that have to be met too.
+const DETAILS: &[&str] = &[
+    "G95",
+    "Z",
+    "circle",
+    "centre",
+    "start",
+    "barrier",
+    "compensation",
+    "G00",
+    "G01",
+    "G02",
+    "G33",
+    "G50",
+    "G71",
+    "G75",
+    "G101",
+    "G132",
+];
+
+/// What the programs of many seeds did.
+#[derive(Default)]
+struct Reached {
+    programs: u64,
+    /// Programs with a contour or a conversion, those of them that ended, and their events.
+    contours: u64,
+    ended: u64,
+    events: u64,
+    motions: u64,
+    endings: BTreeMap<String, u64>,
+    did: BTreeMap<&'static str, u64>,
+}
+
+impl Reached {
+    fn add(&mut self, case: &Case) {
+        let mut events = Vec::new();
+        turnspec_oracle::run(&case.program, &case.setup, &mut |event: &Event| events.push(*event));
+        self.programs += 1;
+        let motions = events.iter().filter(|event| is_contour(event)).count() as u64;
+        if motions == 0 && !events.iter().any(|event| cites(event, CSC_01)) {
+            return;
+        }
+        self.contours += 1;
+        self.events += events.len() as u64;
+        self.motions += motions;
+        let ending = match events.last().map(|event| event.action) {
+            Some(Action::Alarm(alarm)) => {
+                let rules = events.last().map(|event| event.rules.as_slice().to_vec()).unwrap_or_default();
+                let rule = rules.first().map(ToString::to_string).unwrap_or_default();
+                format!("{} {} {rule}", alarm.name, alarm.detail)
+            }
+            _ => "end".to_owned(),
+        };
+        self.ended += u64::from(ending == "end");
+        *self.endings.entry(ending).or_default() += 1;
+        for deed in deeds(case, &events) {
+            *self.did.entry(deed).or_default() += 1;
+        }
+    }
+
+    /// Demands that at least so many programs did this.
+    fn demand(&self, list: &[(&str, u64)]) {
+        for (deed, least) in list {
+            let count = self.did.get(deed).copied().unwrap_or_default();
+            assert!(count >= *least, "{count} programs: {deed}");
+        }
+    }
+}
+
+fn cites(event: &Event, rule: RuleId) -> bool {
+    event.rules.as_slice().contains(&rule)
+}
+
+fn motion_of(event: &Event) -> Option<Motion> {
+    match event.action {
+        Action::Rapid { motion } | Action::Linear { motion, .. } | Action::ContourArc { motion, .. } => {
+            Some(motion)
+        }
+        _ => None,
+    }
+}
+
+/// Whether it is a motion of a contour.
+fn is_contour(event: &Event) -> bool {
+    matches!(event.action, Action::ContourArc { .. }) || cites(event, CGF_02)
+}
+
+/// What the events of a program show.
+fn deeds(case: &Case, events: &[Event]) -> BTreeSet<&'static str> {
+    let mut deeds = BTreeSet::new();
+    let mut converts = false;
+    for event in events {
+        converts = match event.action {
+            Action::Mode { code, .. } if code.as_str() == "G137" => true,
+            Action::Mode { code, .. } if code.as_str() == "G136" => {
+                if cites(event, MCODE_04) {
+                    deeds.insert("conversion mode to the end");
+                }
+                false
+            }
+            _ => converts,
+        };
+        of_motion(case, event, &mut deeds);
+        match event.action {
+            Action::Frame { cause: FrameCause::ToolOffset, .. } if converts => {
+                deeds.insert("tool offset in conversion mode");
+            }
+            Action::Frame { cause: FrameCause::ZeroShift, .. } if converts => {
+                deeds.insert("zero shift in conversion mode");
+            }
+            _ => {}
+        }
+    }
+    deeds
+}
+
+/// What a motion of a contour or of conversion mode shows.
+fn of_motion(case: &Case, event: &Event, deeds: &mut BTreeSet<&'static str>) {
+    let parameters = &case.setup.parameters;
+    let Some(motion) = motion_of(event) else { return };
+    let travel = motion.c_travel.map(|travel| travel.0).unwrap_or_default();
+    match event.action {
+        Action::ContourArc { plane: ContourPlane::FaceCentre(_), sense, .. } => {
+            let conversion = cites(event, CGF_14);
+            deeds.insert(if conversion { "face arc by X and Y" } else { "face arc by X and C" });
+            let with_sense = (travel > 0) == (sense == Sense::CounterClockwise);
+            match travel.abs() {
+                0 => deeds.insert("face arc on a ray"),
+                180_000_000 => deeds.insert("face arc of half a turn"),
+                180_000_001.. => deeds.insert("face arc round the centre"),
+                _ if with_sense => deeds.insert("face arc with its chord"),
+                _ => deeds.insert("face arc against its chord"),
+            };
+        }
+        Action::ContourArc { plane: ContourPlane::SideArc(_), .. } => {
+            deeds.insert(match parameters.side_plane {
+                SidePlane::Outer => "outer side",
+                SidePlane::Inner => "inner side",
+            });
+            deeds.insert(if travel < 0 { "side arc backward" } else { "side arc" });
+            if parameters.side_contour_mode {
+                deeds.insert("side arc in G119");
+            }
+        }
+        Action::Linear { .. } if cites(event, CGF_02) => {
+            let conversion = cites(event, CGF_14);
+            deeds.insert(if conversion { "line by X and Y" } else { "line by X and C" });
+            if cites(event, CGF_03) {
+                deeds.insert("line with Z");
+            }
+            if motion.part == Some(Part::Turn) && parameters.centre_override != 100 {
+                deeds.insert("override at the centre");
+            }
+        }
+        _ if cites(event, CSC_02) => {
+            deeds.insert("positioning by X and Y");
+            if cites(event, LIM_01) {
+                deeds.insert("point beyond the limit");
+            }
+            if cites(event, CSC_04) {
+                deeds.insert(match parameters.conversion_zero_shift {
+                    turnspec_oracle::vocabulary::ConversionZeroShift::Included => "zero shift included",
+                    turnspec_oracle::vocabulary::ConversionZeroShift::Excluded => "zero shift excluded",
+                });
+            }
+        }
+        _ => return,
+    }
+    if motion.speed.is_some() {
+        deeds.insert("constant cutting speed");
+    }
+    if case.setup.unit_system.is_inch() {
+        deeds.insert("inches");
+    }
+    if cites(event, CSC_07) {
+        deeds.insert("point in G91");
+    }
+}
+
+/// Of a hundred programs six have contours; most of them end, after much.
+#[test]
+fn programs_with_contours_are_many_and_deep() {
+    const SOME: u64 = 10_000;
+    let mut reached = Reached::default();
+    (0..SOME).map(case_from_seed).for_each(|case| reached.add(&case));
+    let Reached { programs, contours, ended, events, motions, .. } = reached;
+    println!(
+        "{programs} programs, {contours} with contours, {ended} of them ended, {events} events, {motions} motions"
+    );
+    let mut endings: Vec<_> = reached.endings.iter().collect();
+    endings.sort_by_key(|(_, count)| std::cmp::Reverse(**count));
+    println!("{:?}\n{endings:#?}", reached.did);
+    assert!((SOME * 4..SOME * 9).contains(&(contours * 100)), "{contours} programs");
+    assert!(ended * 100 > contours * 60, "{ended} ended");
+    assert!(events > contours * 25 && motions > contours * 5, "{events} events, {motions} motions");
+    reached.demand(&[
+        ("face arc by X and C", 100),
+        ("face arc by X and Y", 60),
+        ("face arc on a ray", 10),
+        ("face arc of half a turn", 30),
+        ("face arc round the centre", 30),
+        ("face arc with its chord", 100),
+        ("face arc against its chord", 60),
+        ("line by X and C", 120),
+        ("line by X and Y", 80),
+        ("line with Z", 60),
+        ("override at the centre", 40),
+        ("side arc", 80),
+        ("side arc backward", 40),
+        ("side arc in G119", 50),
+        ("inner side", 50),
+        ("outer side", 50),
+        ("positioning by X and Y", 120),
+        ("point beyond the limit", 3),
+        ("point in G91", 30),
+        ("zero shift included", 10),
+        ("zero shift excluded", 10),
+        ("tool offset in conversion mode", 5),
+        ("zero shift in conversion mode", 5),
+        ("conversion mode to the end", 10),
+        ("constant cutting speed", 20),
+        ("inches", 50),
+    ]);
+}
+
+/// Every rule of these families that an event cites, and every alarm of them with the rule that it stands for.
+#[test]
+fn every_rule_and_alarm_of_contours_is_reached() {
+    let mut citations = Citations::default();
+    let mut details = BTreeSet::new();
+    for case in (0..PROGRAMS).map(case_from_seed) {
+        turnspec_oracle::run(&case.program, &case.setup, &mut |event: &Event| {
+            citations.event(event);
+            let own = event.rules.as_slice().iter().any(|rule| {
+                ["E100L-CGF", "E100L-CGS", "E100L-CSC", "E100L-CRC"]
+                    .iter()
+                    .any(|area| rule.as_str().starts_with(area))
+            });
+            if let Action::Alarm(alarm) = event.action
+                && own
+            {
+                details.insert(alarm.detail.as_str().to_owned());
+            }
+        });
+    }
+    citations.demand(CITED, ALARMS);
+    let never: Vec<_> = DETAILS.iter().filter(|detail| !details.contains(**detail)).collect();
+    assert!(never.is_empty(), "details that no program reached: {never:?}");
+}
