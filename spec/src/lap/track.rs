@@ -57,24 +57,19 @@ impl Track {
 
     /// From its beginning to where it meets the contour.
     pub fn whole(&self, target: &Target) -> Option<Path> {
-        self.start().map(|start| self.path(&start, 0, target, false))
+        self.start().map(|start| self.path(&start, 0, target))
     }
 
-    /// From one of its points, in which it leaves the contour, on to where it meets the contour behind the run of that.
+    /// From one of its points on to where it meets the contour behind the run of that.
     pub fn behind(&self, from: &Place, target: &Target) -> Path {
-        self.path(from, self.element_of(from), target, true)
+        self.path(from, self.element_of(from), target)
     }
 
-    fn path(&self, from: &Place, begin: usize, target: &Target, leaves: bool) -> Path {
+    fn path(&self, from: &Place, begin: usize, target: &Target) -> Path {
         let mut path = Path { legs: Vec::new(), highest: from.height.clone() };
         let mut present = from.clone();
         for (index, (number, shape)) in self.shapes.iter().enumerate().skip(begin) {
-            let is_behind = |point: &Place| match (leaves, index == begin) {
-                (true, _) => point.run > from.run,
-                (false, true) => shape.order(point, from).is_gt(),
-                (false, false) => point != from,
-            };
-            let met = target.first_common(shape, is_behind);
+            let met = target.first_common(shape, from);
             let last = met.clone().or_else(|| self.last_of(index, target));
             let ends = last.is_some();
             let to = last.unwrap_or_else(|| place(&shape.to));
@@ -117,12 +112,12 @@ impl Track {
 }
 
 impl Target {
-    /// The first point of an element of K that is one of the contour too, or of the half-line that rises from G', of those
-    /// behind a point from which it is looked at.
-    fn first_common(&self, shape: &Shape, is_behind: impl Fn(&Place) -> bool) -> Option<Place> {
+    /// The first point of an element of K that is one of the contour too, or of the half-line that rises from G', with
+    /// more run than the point from which it is looked at.
+    fn first_common(&self, shape: &Shape, from: &Place) -> Option<Place> {
         let mut points: Vec<Place> = self.shapes.iter().flat_map(|other| shape.common(other)).collect();
         points.extend(self.on_half_line(shape));
-        points.retain(is_behind);
+        points.retain(|point| point.run > from.run);
         points.into_iter().min_by(|first, second| shape.order(first, second))
     }
 
