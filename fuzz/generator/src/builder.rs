@@ -10,6 +10,7 @@ use crate::print;
 use crate::profile::Profile;
 use crate::program::{Block, Item, Line};
 use crate::state::{Mode, State};
+use crate::threads;
 
 /// The characters that the expressions of one block may take together.
 const EXPRESSION_ROOM: usize = 70;
@@ -29,6 +30,8 @@ pub(crate) struct Builder<'b, 'c, 'd> {
     pub(crate) whole: Profile,
     /// How often a block is one of control flow.
     pub(crate) control: usize,
+    /// Whether the program is to have threads.
+    pub(crate) threads: bool,
     /// Constructions of control flow around the present place.
     pub(crate) nesting: usize,
     /// Blocks that the program may still get.
@@ -67,6 +70,7 @@ pub(crate) enum Kind {
     Barrier,
     Io,
     Turret,
+    Thread,
 }
 
 const KINDS: &[(usize, Kind)] = &[
@@ -88,6 +92,10 @@ const KINDS: &[(usize, Kind)] = &[
 
 /// How often a block begins compensation, in programs that are to have it and in others.
 const START_UPS: (usize, usize) = (40, 1);
+
+/// The same in programs that are to have threads, and how often a block cuts one there.
+const BESIDE_THREADS: usize = 8;
+const THREADS: usize = 70;
 
 /// How often a block is one of control flow, in programs that are to have it.
 const CONTROL: usize = 44;
@@ -123,6 +131,7 @@ impl Kind {
             Self::Barrier => any(&[Feature::Barrier]),
             Self::Io => io::is_within(profile),
             Self::Turret => any(&[Feature::TwoTurrets]),
+            Self::Thread => threads::is_within(profile),
         }
     }
 }
@@ -136,12 +145,24 @@ impl<'b, 'c, 'd> Builder<'b, 'c, 'd> {
         let expressions = choices.pick(&[0, 3, 10, 40]);
         let expressions = if profile.allows(Feature::Expression) { expressions } else { 0 };
         let (many, few) = START_UPS;
-        let start_ups = if choices.chance(40) { many } else { few };
-        let control = if choices.chance(50) { CONTROL } else { 0 };
+        let (start_ups, threads) = match choices.below(100) {
+            60.. => (many, 0),
+            47..60 if threads::is_within(&profile) => (BESIDE_THREADS, THREADS),
+            _ => (few, 0),
+        };
+        if threads > 0 {
+            threads::set_up(&mut state.setup, choices, &profile);
+        }
+        let control = if choices.chance(50) { CONTROL + threads / 3 } else { 0 };
         let barrier = if state.barriers.is_wanted() { BARRIER } else { 0 };
         let io = if state.io.is_wanted() { IO } else { 0 };
-        let special =
-            [(start_ups, Kind::StartUp), (control, Kind::Control), (barrier, Kind::Barrier), (io, Kind::Io)];
+        let special = [
+            (start_ups, Kind::StartUp),
+            (control, Kind::Control),
+            (barrier, Kind::Barrier),
+            (io, Kind::Io),
+            (threads, Kind::Thread),
+        ];
         let kinds = KINDS.iter().copied().chain(special);
         let kinds = kinds.filter(|(_, kind)| kind.is_within(&profile)).collect();
         let profile = profile.on(state.setup.machine.r#type);
@@ -155,6 +176,7 @@ impl<'b, 'c, 'd> Builder<'b, 'c, 'd> {
             profile,
             whole: profile,
             control,
+            threads: threads > 0,
             nesting: 0,
             left: 0,
             spoilt: false,
@@ -222,7 +244,7 @@ impl<'b, 'c, 'd> Builder<'b, 'c, 'd> {
         }
         let size = 1 + self.choices.below(40).min(1 + self.choices.below(40));
         let faulty = self.choices.chance(35) && self.allows(Feature::Alarm);
-        let fault = faulty.then(|| faults::choose(self.choices, &self.state.setup));
+        let fault = faulty.then(|| self.any_fault());
         let place = match fault {
             Some(fault) if faults::is_first(fault) => 0,
             Some(fault) if faults::is_early(fault) => self.choices.below(3),
@@ -333,7 +355,7 @@ impl<'b, 'c, 'd> Builder<'b, 'c, 'd> {
         if self.within_profile(3, |builder| builder.fault(fault)) {
             return self.choices.chance(70);
         }
-        let other = faults::choose(self.choices, &self.state.setup);
+        let other = self.any_fault();
         !faults::is_first(other)
             && self.within_profile(3, |builder| builder.fault(other))
             && self.choices.chance(70)
@@ -442,6 +464,7 @@ impl<'b, 'c, 'd> Builder<'b, 'c, 'd> {
             Kind::Barrier => self.barrier(),
             Kind::Io => self.io(),
             Kind::Turret => self.turret_block(),
+            Kind::Thread => self.thread(),
         }
     }
 

@@ -9,7 +9,7 @@ use crate::print::{self, Style};
 use crate::profile::Profile;
 use crate::program::Program;
 use crate::state::State;
-use crate::{setup, tape};
+use crate::{setup, tape, threads};
 
 /// How many bytes a seed is stretched to: enough for a program of the greatest size.
 const STRETCHED: usize = 16 * 1024;
@@ -35,7 +35,12 @@ impl Case {
     #[must_use]
     pub fn from_raw(bytes: &[u8]) -> Self {
         let (choice, program) = bytes.split_at(bytes.len().min(Self::SETUP_BYTES));
-        let mut setup = setup::setup(&mut Choices::new(&mut Unstructured::new(choice)), &Profile::FULL);
+        let mut bytes = Unstructured::new(choice);
+        let choices = &mut Choices::new(&mut bytes);
+        let mut setup = setup::setup(choices, &Profile::FULL);
+        if choices.chance(30) {
+            threads::set_up(&mut setup, choices, &Profile::FULL);
+        }
         setup.limits.steps = RAW_STEPS;
         Self { setup, program: program.to_vec() }
     }
@@ -79,13 +84,16 @@ fn case(choices: &mut Choices<'_, '_>, profile: Profile) -> Case {
     let setup = setup::setup(choices, &profile);
     let mut builder = Builder::new(choices, State::new(setup), profile);
     builder.build();
+    let has_threads = builder.threads;
     let (program, state) = builder.finish();
     let mut setup = state.setup;
     let style = Style::choose(choices, setup.tape.code != TapeCode::Eia, profile);
     let text = print::program(&program, style, choices);
     setup.library = tape::library(print::library(&program, style, choices), setup.tape.code);
     let mut program = tape::encode(&text, setup.tape.code);
-    if choices.chance(4) && profile.allows(Feature::Alarm) {
+    // A cycle with other words may have passes without number.
+    let bounded = !has_threads || setup.limits.steps != Setup::default().limits.steps;
+    if choices.chance(4) && profile.allows(Feature::Alarm) && bounded {
         corrupt(&mut program, choices);
     }
     let case = Case { setup, program };

@@ -124,6 +124,7 @@ impl Builder<'_, '_, '_> {
         } else {
             self.choices.pick(&[500, 1_200, 3_000, 0, 1, 9_999, 65_535])
         };
+        self.state.threads.note_speed(self.state.cutting_speed, speed);
         self.whole("S", speed)
     }
 

@@ -46,6 +46,7 @@ mod setup;
 mod shrink;
 mod state;
 mod tape;
+mod threads;
 mod turrets;
 mod unit;
 mod variables;

@@ -22,6 +22,9 @@ pub(crate) const ANY_M_CODE: &[Feature] = &[
     Feature::TwoSaddles,
 ];
 
+/// What the passes of a thread need: they position and withdraw.
+pub(crate) const PASSES: &[Feature] = &[Feature::Thread, Feature::Rapid, Feature::Linear];
+
 /// What an M code needs on a machine.
 pub(crate) fn of_m_code(code: i64, machine: MachineType) -> &'static [Feature] {
     match code {
@@ -58,6 +61,8 @@ pub(crate) fn of_g_code(code: i64, machine: MachineType) -> &'static [Feature] {
         13 | 110 => &[Feature::Turret],
         17 | 18 | 40 | 41 | 42 | 119 => &[Feature::RadiusCompensation],
         22 | 28 | 29 => &[Feature::Torque],
+        31..=33 | 71 | 72 => PASSES,
+        34 | 35 => &[Feature::Thread],
         50 => &[],
         64 | 65 => &[Feature::Aux],
         75 => &[Feature::Chamfer],
@@ -131,6 +136,8 @@ pub(crate) fn of_setup(setup: &Setup) -> Features {
             Feature::Subprogram,
         ),
         (setup.spindle != plain.spindle, Feature::Gear),
+        (setup.parameters.thread_chamfer_feed != plain.parameters.thread_chamfer_feed, Feature::Thread),
+        (setup.parameters.m75_pattern != plain.parameters.m75_pattern, Feature::Thread),
         (setup.stm != plain.stm, Feature::TimeOver),
         (!setup.inputs.torque_stops.is_empty(), Feature::Torque),
         (!setup.inputs.turret_clamp_confirmed, Feature::Turret),

@@ -57,9 +57,12 @@ fn coordinates(program: &mut Program) -> Vec<(&'static str, &mut Number)> {
     let mut words = Vec::new();
     for line in &mut program.lines {
         let Line::Block(block) = line else { continue };
+        // There W is an allowance, which tells how many passes there are.
+        let across = block.items.iter().any(|item| matches!(item, Item::Word(word) if word.is_g(&[72])));
+        let axes: &[Axis] = if across { &[Axis::X, Axis::Z] } else { &[Axis::X, Axis::Z, Axis::W] };
         for item in &mut block.items {
             let Item::Word(word) = item else { continue };
-            let axis = [Axis::X, Axis::Z, Axis::W].into_iter().find(|axis| axis.address() == word.address);
+            let axis = axes.iter().find(|axis| axis.address() == word.address);
             if let (Some(axis), Value::Plain(number)) = (axis, &mut word.value) {
                 words.push((axis.address(), number));
             }

@@ -33,6 +33,7 @@ impl Builder<'_, '_, '_> {
         if clamp {
             let speed = self.choices.pick(&[1_500, 3_000, 100, 0, 65_535]);
             items.push(self.whole("S", speed));
+            self.state.threads.note_clamp(speed);
         }
         if !clamp || self.choices.chance(30) && frame {
             self.shift_words(&mut items);
@@ -119,6 +120,7 @@ impl Builder<'_, '_, '_> {
         let preset = self.whole(if w { "PW" } else { "PZ" }, percent);
         let feed = self.slow_feed();
         self.push(vec![Item::g(22), target_item, approach_item, beyond_item, feed, preset]);
+        self.state.threads.end_chain();
         self.state.after_cutting = true;
         true
     }
@@ -131,6 +133,7 @@ impl Builder<'_, '_, '_> {
         } else {
             (self.choices.within(100, 1_000) * 1_000, self.state.units.length_unit())
         };
+        self.state.threads.note_feed(!self.state.per_minute, amount as f64);
         let number = Number::decimal(amount * 1_000 / unit, 3);
         Item::Word(Word { address: "F", value: Value::Plain(number) })
     }

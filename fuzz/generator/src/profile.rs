@@ -32,6 +32,9 @@ use crate::tape;
 /// | tool interference data, numbers of tools and tool groups | `system-variable` |
 /// | data of turret B | those of A |
 /// | M100 on two saddles | `two-saddles` |
+/// | positionings and withdrawals of threads | `thread`, with `rapid` and `linear` |
+/// | A, C and W of threads | `any-angle`, `c-axis`, `w-axis` |
+/// | other words of threads, parameters of thread cutting | `thread` |
 ///
 /// Schedule programs occur only with every feature allowed. M02 and M30 are always there. Readings other than the default ones occur with every feature allowed, or on
 /// request.

@@ -48,7 +48,16 @@ const LATER: [&[u8]; 25] = [
 
 /// What a text needs on a machine that begins in a motion mode.
 pub(crate) fn needs_of(text: &[u8], mode: Mode, machine: MachineType) -> Features {
-    let mut scan = Scan { text, at: 0, needs: Features::default(), mode, machine, block: Words::default() };
+    let mut scan = Scan {
+        text,
+        at: 0,
+        needs: Features::default(),
+        mode,
+        side: 13,
+        other_mode: mode,
+        machine,
+        block: Words::default(),
+    };
     if text.first() == Some(&b'$') {
         scan.needs.add(&[Feature::ProgramName]);
         let header = text.split(|byte| *byte == b'\n').next().unwrap_or_default();
@@ -81,6 +90,12 @@ struct Words {
     one_shot: bool,
     feed: bool,
     axis: bool,
+    /// A whole thread in one block.
+    compound: bool,
+    /// I and K, D, and words that only threads have.
+    centre: bool,
+    depth: bool,
+    cycle: bool,
 }
 
 /// Whether a run of letters and digits can name a local variable.
@@ -94,6 +109,9 @@ struct Scan<'t> {
     at: usize,
     needs: Features,
     mode: Mode,
+    /// G13 or G14, and on two saddles the mode of the other side.
+    side: i64,
+    other_mode: Mode,
     machine: MachineType,
     block: Words,
 }
@@ -247,7 +265,20 @@ impl Scan<'_> {
                 Mode::Rapid => &[Feature::Rapid],
                 Mode::Linear => &[Feature::Linear],
                 Mode::Clockwise | Mode::CounterClockwise => &[Feature::Arc],
+                Mode::GrowingThread | Mode::ShrinkingThread => &[Feature::Thread],
+                Mode::ThreadAlong | Mode::ThreadAlongToo | Mode::ThreadAcross => needs::PASSES,
             });
+        }
+        let threads =
+            !matches!(self.mode, Mode::Rapid | Mode::Linear | Mode::Clockwise | Mode::CounterClockwise);
+        if !threads && !block.compound {
+            for (written, feature) in
+                [(block.centre, Feature::Arc), (block.depth, Feature::Torque), (block.cycle, Feature::Alarm)]
+            {
+                if written {
+                    self.needs.add(&[feature]);
+                }
+            }
         }
     }
 
@@ -360,12 +391,10 @@ impl Scan<'_> {
             },
             b'V' if self.peek().is_ascii_digit() => self.variable(),
             b'V' => &[Feature::SystemVariable, Feature::Alarm],
-            b'X' | b'Z' | b'L' => &[],
-            b'I' | b'K' => &[Feature::Arc],
+            b'X' | b'Z' | b'L' | b'I' | b'K' | b'D' | b'E' | b'J' | b'Q' | b'B' | b'U' | b'H' => &[],
             b'A' => &[Feature::AnyAngle],
             b'C' => &[Feature::CAxis],
             b'W' => &[Feature::WAxis],
-            b'D' => &[Feature::Torque],
             b'F' => &[],
             b'S' => &[Feature::Spindle],
             b'T' => &[Feature::Tool],
@@ -375,7 +404,11 @@ impl Scan<'_> {
         self.needs.add(needs);
         self.block.feed |= letter == b'F';
         self.block.speed |= letter == b'S';
-        self.block.axis |= matches!(letter, b'X' | b'Z' | b'C' | b'W' | b'A' | b'I' | b'K' | b'L');
+        self.block.axis |=
+            matches!(letter, b'X' | b'Z' | b'C' | b'W' | b'A' | b'I' | b'K' | b'L' | b'E' | b'J');
+        self.block.centre |= matches!(letter, b'I' | b'K');
+        self.block.depth |= letter == b'D';
+        self.block.cycle |= matches!(letter, b'E' | b'J' | b'Q' | b'B' | b'U' | b'H');
     }
 
     /// A common variable; digits with a letter behind them name an unknown system variable.
@@ -390,12 +423,19 @@ impl Scan<'_> {
     fn note_g(&mut self, code: i64) {
         self.block.dwell |= code == 4;
         self.block.shift |= code == 50;
-        self.block.one_shot |= matches!(code, 4 | 28 | 29);
+        self.block.one_shot |= matches!(code, 4 | 28 | 29 | 71 | 72);
+        self.block.compound |= matches!(code, 71 | 72);
+        let selects = matches!(code, 13 | 14) && self.machine == MachineType::TwoSaddles;
+        if selects && self.side != code {
+            self.side = code;
+            std::mem::swap(&mut self.mode, &mut self.other_mode);
+        }
         self.mode = match code {
             0 => Mode::Rapid,
             1 => Mode::Linear,
             2 => Mode::Clockwise,
             3 => Mode::CounterClockwise,
+            31..=35 => Mode::of_thread(code),
             _ => self.mode,
         };
     }

@@ -14,6 +14,7 @@ use crate::control::Control;
 use crate::environment::Environment;
 use crate::io::Io;
 use crate::schedule::Schedule;
+use crate::threads::Threads;
 use crate::turrets::Turrets;
 use crate::unit::{Estimate, Units};
 
@@ -47,6 +48,16 @@ pub enum Mode {
     Clockwise = 2,
     /// G03.
     CounterClockwise = 3,
+    /// G31.
+    ThreadAlongToo = 31,
+    /// G32.
+    ThreadAcross = 32,
+    /// G33.
+    ThreadAlong = 33,
+    /// G34.
+    GrowingThread = 34,
+    /// G35.
+    ShrinkingThread = 35,
 }
 
 /// The forecast.
@@ -108,6 +119,8 @@ pub struct State {
     pub control: Control,
     /// Chuck and tailstock barriers.
     pub barriers: Areas,
+    /// Thread cutting.
+    pub threads: Threads,
     /// Data communication, inputs and outputs.
     pub io: Io,
     /// Files and main programs of a schedule.
@@ -154,6 +167,7 @@ impl State {
             common: setup.variables.iter().filter_map(variable).collect(),
             control: Control::default(),
             barriers: Areas::new(&setup),
+            threads: Threads::default(),
             io: Io::new(&setup),
             schedule: Schedule::default(),
             turrets: Turrets::new(&setup),

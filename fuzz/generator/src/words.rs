@@ -121,6 +121,7 @@ impl Builder<'_, '_, '_> {
             self.state.units.length_unit()
         };
         self.state.feed = true;
+        self.state.threads.note_feed(!self.state.per_minute, amount as f64);
         let mantissa = (i128::from(amount) * 10_000 / i128::from(unit)).max(1);
         let mut number = Number::decimal(i64::try_from(mantissa).unwrap_or(1), 4);
         if number.mantissa <= 999_999 && self.choices.chance(10) {

@@ -4,9 +4,9 @@ mod support;
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use turnspec_generator::{Case, case_from_seed};
+use turnspec_generator::{Case, case_from_seed, decode};
 use turnspec_oracle::vocabulary::rule_ids::*;
-use turnspec_oracle::vocabulary::{Action, AlarmName, CallCause, Event, RuleId, Setup};
+use turnspec_oracle::vocabulary::{Action, AlarmName, CallCause, Event, RuleId};
 
 use support::Citations;
 
@@ -111,7 +111,7 @@ impl Reached {
                 _ => {}
             }
         });
-        let controlled = case.setup.limits.steps != Setup::default().limits.steps;
+        let controlled = has_statements(case);
         self.programs += 1;
         self.ended += u64::from(ended);
         self.controlled[0] += u64::from(controlled);
@@ -129,6 +129,14 @@ fn name(cause: CallCause) -> &'static str {
         CallCause::Modal => "modal",
         CallCause::Macro => "macro",
     }
+}
+
+/// Whether a program has statements that lead elsewhere, or codes that call.
+fn has_statements(case: &Case) -> bool {
+    const STATEMENTS: [&[u8]; 4] = [b"GOTO", b"IF", b"CALL", b"MODIN"];
+    let text = decode(&case.program, case.setup.tape.code);
+    let has = |keyword: &[u8]| text.windows(keyword.len()).any(|window| window == keyword);
+    !case.setup.macros.is_empty() || STATEMENTS.iter().any(|keyword| has(keyword))
 }
 
 /// Of a hundred programs with everything allowed about thirty have statements, and most of those end.

@@ -16,6 +16,8 @@ mod seed;
 mod setup;
 mod shape;
 mod termination;
+mod thread_counts;
+mod threads;
 mod trace;
 mod tree_text;
 
@@ -44,6 +46,7 @@ pub const PROPERTIES: &[Property] = &[
     Property { name: "expression", holds: expression::expressions_agree },
     Property { name: "termination", holds: termination::programs_end },
     Property { name: "perturbation", holds: perturbation::a_small_change_moves_little },
+    Property { name: "threads", holds: threads::threads_are_whole },
     Property { name: "metamorphic", holds: metamorphic::rewritten_programs_do_the_same },
 ];
 

@@ -2,7 +2,9 @@
 
 use turnspec_generator::Nudged;
 use turnspec_oracle::vocabulary::rule_ids::*;
-use turnspec_oracle::vocabulary::{Action, AlarmName, Event, PlanePosition, RuleId, RuleSet, Setup, Side};
+use turnspec_oracle::vocabulary::{
+    Action, AlarmName, Event, Part, PlanePosition, RuleId, RuleSet, Setup, Side,
+};
 
 use crate::differential::show;
 use crate::shape::{motion, trace};
@@ -26,6 +28,7 @@ const THRESHOLDS: &[AlarmName] = &[
     AlarmName::CompensationNoIntersection,
     // E100L-NRC-21, an element that becomes a repetition.
     AlarmName::CompensationStartUp,
+    AlarmName::ThreadLeadRange,
     // E100L-CIRC-07, a circle that closes on its start; E100L-TRQ-04, an approach without room.
     AlarmName::Unspecified,
 ];
@@ -41,6 +44,9 @@ const CORNERS: &[RuleId] = &[ANG_03, ANG_04, CHAM_03, CHAM_11];
 /// Close to parallel lines and tangents they move by more than their data.
 const COMPUTED: &[RuleId] = &[DTAP_03, ANG_01, ANG_03, ANG_04, ANG_05, ANG_06, CIRC_08];
 
+/// Rules of a pass whose levels are computed from an angle; the passes behind it begin where it did.
+const TAPERED: &[RuleId] = &[G33_06];
+
 /// Rules of ends of compensated motions that move little: the corner of two lines, contact.
 const STEADY: &[RuleId] = &[NRC_15, NRC_26, NRC_30, NRC_44, NRC_45, NRC_66, NRC_71];
 
@@ -51,12 +57,15 @@ const STEADY: &[RuleId] = &[NRC_15, NRC_26, NRC_30, NRC_44, NRC_45, NRC_66, NRC_
 /// 1. **Shape.** Both have the same events (kinds, codes, names, senses, lines, readings, and rules but for
 ///    those of bounds: LIM-01, CSS-04, SMAX-01), up to the first threshold that one of them crosses. A
 ///    threshold shows as an alarm of `THRESHOLDS` in one of them (or as another alarm that both have at the
-///    same line), as an element of a corner that has no length in one of them, or as a zero shift that is
+///    same line), as an element of a corner that has no length in one of them, as a chamfer of a thread that reaches the level of
+///    the cycle start in one of them only, or as a zero shift that is
 ///    zero in one of them at the reset.
 /// 2. **Distance.** Up to that place, and up to the first end point that is computed from an angle, from a
 ///    circle and one coordinate, or at a corner of any angle, every machine coordinate of the axis of that
 ///    word moves by at least nothing and at most the increment, in the same direction throughout; the other
 ///    axes do not move at all. (1000 nm; from inches at most 3000 nm, since words are rounded to 0.001 mm.)
+///    The beginning and the end of a chamfer of a thread are computed from the whole pass, and the levels of a thread at
+///    an angle from its length; these motions are passed over.
 ///    Nothing is multiplied on the way: an absolute word replaces the difference, an incremental one carries
 ///    it on, G50 keeps it, a limit or a torque stop cuts it off.
 ///    In compensation this is said of the programmed point: the machine coordinate less the way from it to
@@ -112,13 +121,20 @@ fn same_shape(before: &[Event], after: &[Event]) -> Result<usize, String> {
         };
         let corner = events.iter().any(|event| cites(event, CORNERS));
         let compensated = events.iter().any(|event| cites(event, &[NRC_46])) || corners_differ(one, other);
-        let threshold = corner || compensated || events.iter().any(|event| known(event));
+        let threshold =
+            corner || compensated || exits_differ(one, other) || events.iter().any(|event| known(event));
         require(threshold, || format!("{one:?}\n{other:?}"))?;
         let line = one.block.line.min(other.block.line);
         return Ok(before.iter().take(index).take_while(|event| event.block.line < line).count());
     }
     require(before.len() == after.len(), || format!("{} and {} events", before.len(), after.len()))?;
     Ok(before.len())
+}
+
+/// Whether a chamfer of a thread reaches the level of the cycle start in one of two passes only, or takes all of the cut.
+fn exits_differ(one: &Event, other: &Event) -> bool {
+    let cut = |event: &Event| matches!(motion(event).and_then(|motion| motion.part), Some(part) if part != Part::Approach);
+    one.block.line == other.block.line && cut(one) && cut(other) && (is_exit(one) || is_exit(other))
 }
 
 /// What an event is, its amounts aside.
@@ -129,8 +145,13 @@ fn shape(event: &Event) -> String {
         false => event.readings.iter().map(|reading| reading.as_str()).collect(),
     };
     let what = match event.action {
-        Action::Rapid { .. } => "rapid".to_owned(),
-        Action::Linear { feed, .. } => format!("linear {feed:?}"),
+        Action::Rapid { motion } => format!("rapid {:?} {:?}", motion.pass, motion.part),
+        Action::Linear { motion, feed, .. } => format!("linear {feed:?} {:?} {:?}", motion.pass, motion.part),
+        // The lead is that of the place where the motion begins.
+        Action::Thread { motion, axis, change, start, lead } => {
+            let lead = if motion.part == Some(Part::Exit) { None } else { Some(lead) };
+            format!("thread {:?} {:?} {axis:?} {change:?} {start:?} {lead:?}", motion.pass, motion.part)
+        }
         Action::Arc { feed, sense, .. } => format!("arc {feed:?} {sense:?}"),
         Action::Frame { cause, .. } => format!("frame {cause:?}"),
         Action::Spindle(spindle) => {
@@ -182,9 +203,13 @@ fn distance(before: &[Event], after: &[Event], pair: &Nudged) -> Verdict {
     let most = increment(&pair.before.setup);
     let (mut forward, mut backward) = (false, false);
     let mut left_over = false;
-    for (one, other) in before.iter().zip(after) {
+    for (place, (one, other)) in before.iter().zip(after).enumerate() {
         if cites(one, COMPUTED) {
             break;
+        }
+        let behind = before.get(place + 1).is_some_and(is_exit);
+        if behind || is_exit(one) || cites(one, TAPERED) {
+            continue;
         }
         left_over |= ends_compensation(one);
         let (Some(from), Some(to)) = (motion(one), motion(other)) else { continue };
@@ -205,6 +230,11 @@ fn distance(before: &[Event], after: &[Event], pair: &Nudged) -> Verdict {
         require(!(forward && backward), || format!("moves to and fro:\n{one:?}\n{other:?}"))?;
     }
     Ok(())
+}
+
+/// Whether it is the chamfer of a thread; it and the cut before it end where the whole pass says.
+fn is_exit(event: &Event) -> bool {
+    motion(event).and_then(|motion| motion.part) == Some(Part::Exit)
 }
 
 /// One increment in nanometres, as a word of the unit system is rounded.
@@ -315,6 +345,15 @@ mod tests {
         assert!(verdict("G00 X1\nM08", "G00 X1\nM21").is_err());
         assert_eq!(verdict("G00 X99999.998\nG91 X0.001", "G00 X99999.999\nG91 X0.001"), Ok(()));
         assert_eq!(verdict("G02 F1 X20 Z0 L5", "G02 F1 X20.001 Z0 L5"), Ok(()));
+    }
+
+    #[test]
+    fn another_number_of_passes_is_noticed() {
+        let pass = |x: &str| format!("G00 X50 Z50\nG33 X{x} Z20 F2 M23 M03 S500\nX39");
+        assert_eq!(verdict(&pass("40"), &pass("40.001")), Ok(()));
+        assert!(verdict(&pass("40"), &pass("40.002")).is_err_and(|message| message.contains("moves by")));
+        let cycle = |depth: &str| format!("G00 X50 Z50\nG71 X40 Z20 D{depth} H3 F2 M74");
+        assert!(verdict(&cycle("1"), &cycle("0.999")).is_err());
     }
 
     /// A contour with G42 and a nose of this radius in nanometres, its last line to an X.

@@ -21,7 +21,10 @@ pub(crate) fn is_straight(case: &Case) -> bool {
 /// Its motion, if it is one.
 pub(crate) fn motion(event: &Event) -> Option<Motion> {
     match event.action {
-        Action::Rapid { motion } | Action::Linear { motion, .. } | Action::Arc { motion, .. } => Some(motion),
+        Action::Rapid { motion }
+        | Action::Linear { motion, .. }
+        | Action::Arc { motion, .. }
+        | Action::Thread { motion, .. } => Some(motion),
         _ => None,
     }
 }

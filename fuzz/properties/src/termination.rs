@@ -4,12 +4,12 @@ use std::collections::BTreeMap;
 
 use arbitrary::{Arbitrary, Unstructured};
 use turnspec::engine::Interpreter;
-use turnspec_generator::Case;
+use turnspec_generator::{Case, decode};
 use turnspec_oracle::Run;
-use turnspec_oracle::vocabulary::{Action, Ending, Event, MachineType, Side, TapeCode};
+use turnspec_oracle::vocabulary::{Action, Ending, Event, MachineType, Part, Side, TapeCode};
 
 use crate::differential::show;
-use crate::shape::is_straight;
+use crate::shape::{is_straight, motion};
 use crate::{Verdict, require};
 
 /// The most events of a block, its assignments and alarm aside, by the order of its steps:
@@ -21,9 +21,9 @@ use crate::{Verdict, require};
 /// | S, SA, SB: each once in a block (E100L-FMT-06) | 3 |
 /// | T: `tool` and `frame` | 2 |
 /// | M words: eight (E100L-FMT-06), each one event | 8 |
-/// | motion: two elements of a corner, or two of a torque skip; or a dwell | 2 |
+/// | motion: two elements of a corner, or two of a torque skip; or a dwell; or the motions of a pass of a thread | 6 |
 /// | M02, M30 (E100L-MCODE-04): besides `end` seven modes, those of the turrets among them, and a `frame` for each turret | 9 |
-const BLOCK: usize = 32;
+const BLOCK: usize = 36;
 
 /// What a block may have more on two saddles: `wait` and `release` at P and at M100, `side_end`, and the reset of the other
 /// side, five modes and a `frame` less what stands above for the turrets.
@@ -31,6 +31,9 @@ const BLOCK_OF_A_SIDE: usize = BLOCK + 9;
 
 /// Steps that a block takes on two saddles at most: up to its P, up to its M100, to its end, and one in which it is let go.
 const STEPS_OF_A_SIDE: u64 = 4;
+
+/// The most motions of a pass: approach, cut, two of the chamfer, retract, return (E100L-G33-04, E100L-TCHM-04).
+const PASS: usize = 6;
 
 /// The fewest characters of an assignment, `V1=1`. It emits `variable` and at most one `frame`.
 const ASSIGNMENT: usize = 4;
@@ -40,8 +43,9 @@ const LONGEST: usize = 158;
 const MODAL_CALLS: usize = 8;
 
 /// A program runs to an end. Without control flow a step reads at least one line or is the last one, so that there are
-/// at most two steps more than ends of block; a block of n characters emits at most 32 + 2⌊n/4⌋ events, and one more if
-/// it is an alarm; and blocks follow the order of the text. On two saddles there are four times as many steps at most, a
+/// at most two steps more than ends of block; a block of n characters emits at most 36 + 2⌊n/4⌋ events, and one more if
+/// it is an alarm; and blocks follow the order of the text. A pass of G71 or G72 but the first of its block is a step too, and has six
+/// events at most. On two saddles there are four times as many steps at most, a
 /// block has nine events more, and the order is that of the text for each side up to the end of both. With control flow a step takes at least one block, of which
 /// a run begins no more than `limits.steps`; a block has at most 158 characters, and at most eight programs of modal calls
 /// begin behind it. Events are numbered from 1 without a gap, `end` or `alarm` comes last and nowhere else but at the
@@ -75,6 +79,7 @@ fn bounded(case: &Case, mut step: impl FnMut(&mut Vec<Event>) -> Option<Ending>)
         (false, true) => lines(case) + 2,
         (false, false) => lines(case) + 2 + case.setup.limits.steps,
     };
+    let most = if may_repeat(case) { most + case.setup.limits.steps } else { most };
     let mut events = Vec::new();
     let Some(ending) = (0..most).find_map(|_| step(&mut events)) else {
         return Err(format!("no end after {most} steps"));
@@ -93,6 +98,22 @@ fn bounded(case: &Case, mut step: impl FnMut(&mut Vec<Event>) -> Option<Ending>)
     }
     let most = most * (BLOCK + 2 * (LONGEST / ASSIGNMENT) + MODAL_CALLS) as u64;
     require(events.len() as u64 <= most, || format!("{} events, more than {most}", events.len()))
+}
+
+/// Whether the text has the letters of a block of G71 or G72, each pass of which is a step.
+fn may_repeat(case: &Case) -> bool {
+    let text = decode(&case.program, case.setup.tape.code);
+    b"GXZDH".iter().all(|letter| text.contains(letter))
+}
+
+/// Passes that each block began.
+fn passes_of_blocks(events: &[Event]) -> BTreeMap<u32, usize> {
+    let mut passes = BTreeMap::new();
+    let approaches = |event: &&Event| motion(event).and_then(|motion| motion.part) == Some(Part::Approach);
+    for event in events.iter().filter(approaches) {
+        *passes.entry(event.block.start).or_default() += 1;
+    }
+    passes
 }
 
 /// Ends of block in the text.
@@ -155,8 +176,9 @@ fn few_a_block(events: &[Event], block: usize) -> Verdict {
         let length = event.block.end.saturating_sub(event.block.start) as usize;
         blocks.entry(event.block.start).or_insert((0, length)).0 += 1;
     }
+    let passes = passes_of_blocks(events);
     for (start, (count, length)) in blocks {
-        let most = block + 2 * (length / ASSIGNMENT);
+        let most = block + 2 * (length / ASSIGNMENT) + PASS * passes.get(&start).copied().unwrap_or_default();
         require(count <= most, || format!("the block at {start} has {count} events, more than {most}"))?;
     }
     Ok(())

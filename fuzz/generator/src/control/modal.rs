@@ -104,6 +104,6 @@ impl Builder<'_, '_, '_> {
 
 /// Whether a block has a motion of X or Z that triggers modal calls.
 fn triggers(items: &[Item]) -> bool {
-    let one_shot = |item: &Item| matches!(item, Item::Word(word) if word.is_g(&[4, 22, 28, 29, 50]));
+    let one_shot = |item: &Item| matches!(item, Item::Word(word) if word.is_g(&[4, 22, 28, 29, 50, 71, 72]));
     (has(items, "X") || has(items, "Z")) && !items.iter().any(one_shot)
 }

@@ -32,6 +32,7 @@ impl Builder<'_, '_, '_> {
         let before = self.state.control.clone();
         self.state.control.steady = true;
         self.state.control.loops += 1;
+        self.state.threads.forget();
         self.forget_changing();
         self.forget(&counter);
         let bounded = Bounded { variable: counter.clone(), low: 0, high: count };

@@ -8,6 +8,7 @@ use crate::expression::{Expression, Operator, Variable};
 use crate::number::Number;
 use crate::program::{Item, Line, Statement, Value, Word};
 use crate::state::{Axis, Mode, State};
+use crate::threads;
 
 use super::local::{self, Owner};
 
@@ -41,6 +42,8 @@ pub(crate) struct Again {
     blocks: usize,
     /// Whether it gives a feed.
     feeds: bool,
+    /// Whether it cuts threads.
+    threads: bool,
     /// Where it ends, if it moves.
     effect: Option<Effect>,
     /// The lowest and highest program coordinates of X and Z on its way.
@@ -191,6 +194,7 @@ impl Builder<'_, '_, '_> {
         self.state.control.deepest = self.state.control.depth + 1;
         self.state.control.extent = [(i64::MAX, i64::MIN); 2];
         self.state.control.bounded.clear();
+        self.state.threads.forget();
         self.forget_changing();
         before
     }
@@ -218,6 +222,7 @@ impl Builder<'_, '_, '_> {
             blocks: lines.iter().filter(|line| counts(line)).count(),
             effect: (nature != Nature::Still).then_some(effect),
             feeds: gives_feed(&lines),
+            threads: lines.iter().any(cuts_thread),
             extent: state.control.extent,
         };
         // What it needs of set-up and names was found while it was written.
@@ -284,6 +289,9 @@ impl Builder<'_, '_, '_> {
             return false;
         }
         let free = !state.compensation.is_on() && !state.barriers.is_watched() && !control.shared;
+        if again.threads && !state.may_cut_threads() {
+            return false;
+        }
         let fits = |axis: Axis| {
             let (low, high) = again.extent[axis as usize];
             low > high || state.fits(axis, low) && state.fits(axis, high)
@@ -319,6 +327,7 @@ impl Builder<'_, '_, '_> {
         let Some(again) = &called.again else { return };
         self.state.compensation.pass(again.blocks);
         self.state.feed |= again.feeds;
+        self.state.threads.forget();
         let control = &mut self.state.control;
         control.deepest = control.deepest.max(control.depth + again.levels);
         let Some(effect) = again.effect else { return };
@@ -368,6 +377,12 @@ fn counts(line: &Line) -> bool {
         Some(statement) => *statement == Statement::Noex,
         None => !block.items.is_empty(),
     }
+}
+
+/// Whether a line has a code of thread cutting.
+fn cuts_thread(line: &Line) -> bool {
+    let code = |item: &Item| matches!(item, Item::Word(word) if word.is_g(threads::CODES));
+    matches!(line, Line::Block(block) if block.items.iter().any(code))
 }
 
 /// Whether lines give a feed.

@@ -213,7 +213,7 @@ impl Builder<'_, '_, '_> {
     fn not_described_of_modes(&mut self) -> bool {
         let still = self.raw_program(&["RTS"]);
         let begin = format!("MODIN O{still}");
-        match self.choices.below(5) {
+        match self.choices.below(6) {
             0 => {
                 let name = self.raw_program(&[&begin, "RTS"]);
                 self.call_of(&name)
@@ -222,7 +222,7 @@ impl Builder<'_, '_, '_> {
                 let name = self.raw_program(&[&begin, "MODOUT", "RTS"]);
                 self.blocks(&[&format!("MODIN O{name}"), "G91 G00 X0"])
             }
-            2 => {
+            2 | 5 => {
                 let name = self.raw_program(&["MODOUT", "RTS"]);
                 self.blocks(&[&begin]) && self.call_of(&name)
             }

@@ -11,6 +11,8 @@ mod schedule;
 mod state;
 mod statement;
 mod text;
+mod thread_texts;
+mod threads;
 mod turrets;
 
 use turnspec_oracle::vocabulary::{AlarmName, Chamfering, MachineType, Setup, TapeCode, UserAlarmC};
@@ -56,7 +58,7 @@ pub(crate) fn choose(choices: &mut Choices<'_, '_>, setup: &Setup) -> Fault {
     }
 }
 
-/// Whether programs are made to raise it: not the alarms of thread cutting, which is not generated yet.
+/// Whether programs without threads are made to raise it.
 fn is_generated(fault: &Fault) -> bool {
     !matches!(fault, Fault::ThreadInConstantSpeed | Fault::ThreadLeadRange | Fault::ThreadData)
 }
@@ -117,7 +119,8 @@ impl Builder<'_, '_, '_> {
     /// Adds the blocks of a fault.
     pub(crate) fn fault(&mut self, fault: Fault) -> bool {
         self.begin();
-        self.turret_fault(fault)
+        self.thread_fault(fault)
+            || self.turret_fault(fault)
             || self.io_fault(fault)
             || self.control_fault(fault)
             || self.barrier_fault(fault)

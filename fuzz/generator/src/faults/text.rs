@@ -34,7 +34,7 @@ const TEXTS: &[(Fault, &[&str])] = &[
     ]),
     (Fault::TooManyDigits, &["X123456789", "F1.23456789", "X=1.23456789+1", "X000000001", "V1=123456789", "G000000001"]),
     (Fault::EqualSignMissing, &["X[5]", "SB100", "V5 X3", "X$FF", "PZ5", "QA 5", "VZOFX 5", "S[1+1]"]),
-    (Fault::AddressUnknown, &["J5", "R10", "Y-3", "G02 X5 R5", "M08 J"]),
+    (Fault::AddressUnknown, &["R5", "R10", "Y-3", "G02 X5 R5", "M08 Y"]),
     (Fault::OperatorBlankMissing, &[
         "V1=[1]EQ[1]", "V1=1 AND[2]", "V1=[1]OR 2", "X=1+NOT 5", "V2=NOT[5]", "X=5EQ 5", "V1=[1]EQ 1",
     ]),

@@ -15,7 +15,6 @@ use std::rc::Rc;
 use turnspec_oracle::vocabulary::Feature;
 
 use crate::builder::Builder;
-use crate::faults;
 use crate::profile::Profile;
 use crate::program::{Block, Item, Line, Program, Statement};
 use crate::state::{Mode, State};
@@ -74,7 +73,7 @@ impl Builder<'_, '_, '_> {
         let own = self.choices.chance(65);
         let place = if faulty && own && !foreign { self.choices.late(size + 1) } else { usize::MAX };
         if faulty && !own {
-            let fault = faults::choose(self.choices, &self.state.setup);
+            let fault = self.any_fault();
             let place = self.choices.late(16);
             self.fault_in(fault, place);
         }

@@ -84,10 +84,10 @@ impl Builder<'_, '_, '_> {
 
     /// A fault, mostly one of programs for two saddles.
     fn fault_of_sides(&mut self) -> Fault {
-        if self.choices.chance(70) {
+        if self.choices.chance(if self.threads { 35 } else { 70 }) {
             return self.choices.weighted(FAULTS);
         }
-        faults::choose(self.choices, &self.state.setup)
+        self.any_fault()
     }
 
     /// What stands in front of the first selection; true when the fault is there.
