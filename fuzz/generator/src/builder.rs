@@ -4,6 +4,7 @@ use turnspec_oracle::vocabulary::{Feature, MachineType};
 
 use crate::choices::Choices;
 use crate::control;
+use crate::cycles;
 use crate::faults::{self, Fault};
 use crate::io;
 use crate::print;
@@ -32,6 +33,8 @@ pub(crate) struct Builder<'b, 'c, 'd> {
     pub(crate) control: usize,
     /// Whether the program is to have threads.
     pub(crate) threads: bool,
+    /// Whether the program is to have cycles of grooving, drilling and tapping.
+    pub(crate) cycles: bool,
     /// Constructions of control flow around the present place.
     pub(crate) nesting: usize,
     /// Blocks that the program may still get.
@@ -71,6 +74,7 @@ pub(crate) enum Kind {
     Io,
     Turret,
     Thread,
+    Cycle,
 }
 
 const KINDS: &[(usize, Kind)] = &[
@@ -96,6 +100,9 @@ const START_UPS: (usize, usize) = (40, 1);
 /// The same in programs that are to have threads, and how often a block cuts one there.
 const BESIDE_THREADS: usize = 8;
 const THREADS: usize = 70;
+
+/// How often a block cuts grooves or holes in programs that are to have them.
+const CYCLES: usize = 60;
 
 /// How often a block is one of control flow, in programs that are to have it.
 const CONTROL: usize = 44;
@@ -132,6 +139,7 @@ impl Kind {
             Self::Io => io::is_within(profile),
             Self::Turret => any(&[Feature::TwoTurrets]),
             Self::Thread => threads::is_within(profile),
+            Self::Cycle => cycles::is_within(profile),
         }
     }
 }
@@ -145,15 +153,19 @@ impl<'b, 'c, 'd> Builder<'b, 'c, 'd> {
         let expressions = choices.pick(&[0, 3, 10, 40]);
         let expressions = if profile.allows(Feature::Expression) { expressions } else { 0 };
         let (many, few) = START_UPS;
-        let (start_ups, threads) = match choices.below(100) {
-            60.. => (many, 0),
-            47..60 if threads::is_within(&profile) => (BESIDE_THREADS, THREADS),
-            _ => (few, 0),
+        let (start_ups, threads, cycles) = match choices.below(100) {
+            60.. => (many, 0, 0),
+            47..60 if threads::is_within(&profile) => (BESIDE_THREADS, THREADS, 0),
+            38..47 if cycles::is_within(&profile) => (BESIDE_THREADS, 0, CYCLES),
+            _ => (few, 0, 0),
         };
         if threads > 0 {
             threads::set_up(&mut state.setup, choices, &profile);
         }
-        let control = if choices.chance(50) { CONTROL + threads / 3 } else { 0 };
+        if cycles > 0 {
+            cycles::set_up(&mut state.setup, choices, &profile);
+        }
+        let control = if choices.chance(50) { CONTROL + (threads + cycles) / 3 } else { 0 };
         let barrier = if state.barriers.is_wanted() { BARRIER } else { 0 };
         let io = if state.io.is_wanted() { IO } else { 0 };
         let special = [
@@ -162,6 +174,7 @@ impl<'b, 'c, 'd> Builder<'b, 'c, 'd> {
             (barrier, Kind::Barrier),
             (io, Kind::Io),
             (threads, Kind::Thread),
+            (cycles, Kind::Cycle),
         ];
         let kinds = KINDS.iter().copied().chain(special);
         let kinds = kinds.filter(|(_, kind)| kind.is_within(&profile)).collect();
@@ -177,6 +190,7 @@ impl<'b, 'c, 'd> Builder<'b, 'c, 'd> {
             whole: profile,
             control,
             threads: threads > 0,
+            cycles: cycles > 0,
             nesting: 0,
             left: 0,
             spoilt: false,
@@ -465,6 +479,7 @@ impl<'b, 'c, 'd> Builder<'b, 'c, 'd> {
             Kind::Io => self.io(),
             Kind::Turret => self.turret_block(),
             Kind::Thread => self.thread(),
+            Kind::Cycle => self.cycle(),
         }
     }
 

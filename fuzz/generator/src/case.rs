@@ -9,7 +9,7 @@ use crate::print::{self, Style};
 use crate::profile::Profile;
 use crate::program::Program;
 use crate::state::State;
-use crate::{setup, tape, threads};
+use crate::{cycles, setup, tape, threads};
 
 /// How many bytes a seed is stretched to: enough for a program of the greatest size.
 const STRETCHED: usize = 16 * 1024;
@@ -40,6 +40,7 @@ impl Case {
         let mut setup = setup::setup(choices, &Profile::FULL);
         if choices.chance(30) {
             threads::set_up(&mut setup, choices, &Profile::FULL);
+            cycles::set_up(&mut setup, choices, &Profile::FULL);
         }
         setup.limits.steps = RAW_STEPS;
         Self { setup, program: program.to_vec() }
@@ -84,7 +85,7 @@ fn case(choices: &mut Choices<'_, '_>, profile: Profile) -> Case {
     let setup = setup::setup(choices, &profile);
     let mut builder = Builder::new(choices, State::new(setup), profile);
     builder.build();
-    let has_threads = builder.threads;
+    let has_passes = builder.threads || builder.cycles;
     let (program, state) = builder.finish();
     let mut setup = state.setup;
     let style = Style::choose(choices, setup.tape.code != TapeCode::Eia, profile);
@@ -92,7 +93,7 @@ fn case(choices: &mut Choices<'_, '_>, profile: Profile) -> Case {
     setup.library = tape::library(print::library(&program, style, choices), setup.tape.code);
     let mut program = tape::encode(&text, setup.tape.code);
     // A cycle with other words may have passes without number.
-    let bounded = !has_threads || setup.limits.steps != Setup::default().limits.steps;
+    let bounded = !has_passes || setup.limits.steps != Setup::default().limits.steps;
     if choices.chance(4) && profile.allows(Feature::Alarm) && bounded {
         corrupt(&mut program, choices);
     }

@@ -224,7 +224,7 @@ impl Builder<'_, '_, '_> {
     }
 
     /// Changes the state as an M code does.
-    fn note_m(&mut self, code: i64) {
+    pub(crate) fn note_m(&mut self, code: i64) {
         self.state.barriers.note_m(code);
         match code {
             109 => (self.state.joined, self.state.plane) = (false, 18),

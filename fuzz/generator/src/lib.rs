@@ -22,6 +22,7 @@ mod codes;
 mod companions;
 mod compensation;
 mod control;
+mod cycles;
 mod environment;
 mod estimate;
 mod expression;

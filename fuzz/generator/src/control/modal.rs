@@ -82,7 +82,11 @@ impl Builder<'_, '_, '_> {
 
     /// What a block that was just written triggers.
     pub(crate) fn trigger(&mut self, items: &[Item]) {
-        if self.state.control.modes.is_empty() || !triggers(items) || !self.allows(Feature::ModalCall) {
+        if self.state.control.modes.is_empty()
+            || self.state.cycles.is_on()
+            || !triggers(items)
+            || !self.allows(Feature::ModalCall)
+        {
             return;
         }
         for place in 0..self.state.control.modes.len() {
@@ -104,6 +108,6 @@ impl Builder<'_, '_, '_> {
 
 /// Whether a block has a motion of X or Z that triggers modal calls.
 fn triggers(items: &[Item]) -> bool {
-    let one_shot = |item: &Item| matches!(item, Item::Word(word) if word.is_g(&[4, 22, 28, 29, 50, 71, 72]));
+    let one_shot = |item: &Item| matches!(item, Item::Word(word) if word.is_g(&[4, 22, 28, 29, 50, 71, 72, 73, 74, 77, 78]));
     (has(items, "X") || has(items, "Z")) && !items.iter().any(one_shot)
 }

@@ -84,7 +84,7 @@ impl Builder<'_, '_, '_> {
 
     /// A fault, mostly one of programs for two saddles.
     fn fault_of_sides(&mut self) -> Fault {
-        if self.choices.chance(if self.threads { 35 } else { 70 }) {
+        if self.choices.chance(if self.threads || self.cycles { 35 } else { 70 }) {
             return self.choices.weighted(FAULTS);
         }
         self.any_fault()
