@@ -96,7 +96,7 @@ impl Builder<'_, '_, '_> {
                 let text = self.choices.pick(&["VDOUT[991]=3", "VUACM[1]='SPARE' VDOUT[991]=9999.4 V1=1"]);
                 self.blocks(&[text])
             }
-            Fault::UserTaskLevel if level_2 => false,
+            Fault::UserTaskLevel if level_2 || self.choices.chance(20) => false,
             // Most of these faults have other kinds too.
             Fault::Format if self.choices.chance(50) => false,
             Fault::Unspecified if self.choices.chance(75) => false,
@@ -105,7 +105,6 @@ impl Builder<'_, '_, '_> {
             | Fault::IllegalCharacter
             | Fault::VariableReadOnly
             | Fault::VariableRange
-            | Fault::UserTaskLevel
                 if self.choices.chance(50) =>
             {
                 false
