@@ -97,7 +97,8 @@ impl Builder<'_, '_, '_> {
             return true;
         }
         let undescribed = fault == Some(AlarmName::Unspecified);
-        if undescribed && self.choices.chance(6) {
+        let scheduled = self.allows(Feature::Schedule) && self.allows(Feature::ProgramName);
+        if undescribed && scheduled && self.choices.chance(6) {
             self.state.setup.schedule = self.state.is_eia() || self.choices.chance(50);
             if !self.state.setup.schedule {
                 self.raw(b"$PAIR.SDF%");
