@@ -5,6 +5,7 @@ use turnspec_oracle::vocabulary::{Feature, MachineType};
 use crate::choices::Choices;
 use crate::contour;
 use crate::control;
+use crate::cycles;
 use crate::faults::{self, Fault};
 use crate::io;
 use crate::print;
@@ -35,6 +36,8 @@ pub(crate) struct Builder<'b, 'c, 'd> {
     pub(crate) contours: bool,
     /// Whether the program is to have threads.
     pub(crate) threads: bool,
+    /// Whether the program is to have cycles of grooving, drilling and tapping.
+    pub(crate) cycles: bool,
     /// Constructions of control flow around the present place.
     pub(crate) nesting: usize,
     /// Blocks that the program may still get.
@@ -75,6 +78,7 @@ pub(crate) enum Kind {
     Turret,
     Contour,
     Thread,
+    Cycle,
 }
 
 const KINDS: &[(usize, Kind)] = &[
@@ -102,6 +106,9 @@ const CONTOURS: usize = 60;
 /// The same in programs that are to have threads, and how often a block cuts one there.
 const BESIDE_THREADS: usize = 8;
 const THREADS: usize = 70;
+
+/// How often a block cuts grooves or holes in programs that are to have them.
+const CYCLES: usize = 60;
 
 /// How often a block is one of control flow, in programs that are to have it.
 const CONTROL: usize = 44;
@@ -139,6 +146,7 @@ impl Kind {
             Self::Turret => any(&[Feature::TwoTurrets]),
             Self::Contour => contour::is_within(profile),
             Self::Thread => threads::is_within(profile),
+            Self::Cycle => cycles::is_within(profile),
         }
     }
 }
@@ -152,11 +160,12 @@ impl<'b, 'c, 'd> Builder<'b, 'c, 'd> {
         let expressions = choices.pick(&[0, 3, 10, 40]);
         let expressions = if profile.allows(Feature::Expression) { expressions } else { 0 };
         let (many, few) = START_UPS;
-        let (start_ups, threads, contours) = match choices.below(100) {
-            60.. => (many, 0, 0),
-            47..60 if threads::is_within(&profile) => (BESIDE_THREADS, THREADS, 0),
-            40..47 if contour::is_within(&profile) => (few, 0, CONTOURS),
-            _ => (few, 0, 0),
+        let (start_ups, threads, contours, cycles) = match choices.below(100) {
+            60.. => (many, 0, 0, 0),
+            47..60 if threads::is_within(&profile) => (BESIDE_THREADS, THREADS, 0, 0),
+            40..47 if contour::is_within(&profile) => (few, 0, CONTOURS, 0),
+            31..40 if cycles::is_within(&profile) => (BESIDE_THREADS, 0, 0, CYCLES),
+            _ => (few, 0, 0, 0),
         };
         if threads > 0 {
             threads::set_up(&mut state.setup, choices, &profile);
@@ -164,7 +173,10 @@ impl<'b, 'c, 'd> Builder<'b, 'c, 'd> {
         if contours > 0 {
             contour::set_up(&mut state.setup, choices);
         }
-        let control = if choices.chance(50) { CONTROL + threads / 3 } else { 0 };
+        if cycles > 0 {
+            cycles::set_up(&mut state.setup, choices, &profile);
+        }
+        let control = if choices.chance(50) { CONTROL + (threads + cycles) / 3 } else { 0 };
         let barrier = if state.barriers.is_wanted() { BARRIER } else { 0 };
         let io = if state.io.is_wanted() { IO } else { 0 };
         let special = [
@@ -174,6 +186,7 @@ impl<'b, 'c, 'd> Builder<'b, 'c, 'd> {
             (barrier, Kind::Barrier),
             (io, Kind::Io),
             (threads, Kind::Thread),
+            (cycles, Kind::Cycle),
         ];
         let kinds = KINDS.iter().copied().chain(special);
         let kinds = kinds.filter(|(_, kind)| kind.is_within(&profile)).collect();
@@ -190,6 +203,7 @@ impl<'b, 'c, 'd> Builder<'b, 'c, 'd> {
             control,
             contours: contours > 0,
             threads: threads > 0,
+            cycles: cycles > 0,
             nesting: 0,
             left: 0,
             spoilt: false,
@@ -479,6 +493,7 @@ impl<'b, 'c, 'd> Builder<'b, 'c, 'd> {
             Kind::Turret => self.turret_block(),
             Kind::Contour => self.contours(),
             Kind::Thread => self.thread(),
+            Kind::Cycle => self.cycle(),
         }
     }
 

@@ -9,7 +9,7 @@ use crate::print::{self, Style};
 use crate::profile::Profile;
 use crate::program::Program;
 use crate::state::State;
-use crate::{contour, setup, tape, threads};
+use crate::{contour, cycles, setup, tape, threads};
 
 /// How many bytes a seed is stretched to: enough for a program of the greatest size.
 const STRETCHED: usize = 16 * 1024;
@@ -41,6 +41,7 @@ impl Case {
         if choices.chance(30) {
             threads::set_up(&mut setup, choices, &Profile::FULL);
             contour::set_up(&mut setup, choices);
+            cycles::set_up(&mut setup, choices, &Profile::FULL);
         }
         setup.limits.steps = RAW_STEPS;
         Self { setup, program: program.to_vec() }
@@ -85,7 +86,7 @@ fn case(choices: &mut Choices<'_, '_>, profile: Profile) -> Case {
     let setup = setup::setup(choices, &profile);
     let mut builder = Builder::new(choices, State::new(setup), profile);
     builder.build();
-    let has_threads = builder.threads;
+    let has_passes = builder.threads || builder.cycles;
     let (program, state) = builder.finish();
     let mut setup = state.setup;
     let style = Style::choose(choices, setup.tape.code != TapeCode::Eia, profile);
@@ -93,7 +94,7 @@ fn case(choices: &mut Choices<'_, '_>, profile: Profile) -> Case {
     setup.library = tape::library(print::library(&program, style, choices), setup.tape.code);
     let mut program = tape::encode(&text, setup.tape.code);
     // A cycle with other words may have passes without number.
-    let bounded = !has_threads || setup.limits.steps != Setup::default().limits.steps;
+    let bounded = !has_passes || setup.limits.steps != Setup::default().limits.steps;
     if choices.chance(4) && profile.allows(Feature::Alarm) && bounded {
         corrupt(&mut program, choices);
     }

@@ -224,7 +224,7 @@ impl Builder<'_, '_, '_> {
     }
 
     /// Changes the state as an M code does.
-    fn note_m(&mut self, code: i64) {
+    pub(crate) fn note_m(&mut self, code: i64) {
         self.state.barriers.note_m(code);
         self.state.contours.note_m(code);
         match code {

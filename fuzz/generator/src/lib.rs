@@ -23,6 +23,7 @@ mod companions;
 mod compensation;
 mod contour;
 mod control;
+mod cycles;
 mod environment;
 mod estimate;
 mod expression;

@@ -1,7 +1,8 @@
 //! What codes, variables and the values of a set-up need of an implementation.
 
 use turnspec_oracle::vocabulary::{
-    AxisAmounts, Feature, MachineType, PlaneAmounts, Setup, TapeCode, UnitSystem,
+    AxisAmounts, CycleReturn, Feature, G184Tapping, Length, MachineType, PlaneAmounts, Setup, TapeCode,
+    UnitSystem,
 };
 
 use crate::contour;
@@ -25,6 +26,12 @@ pub(crate) const ANY_M_CODE: &[Feature] = &[
 
 /// What the passes of a thread need: they position and withdraw.
 pub(crate) const PASSES: &[Feature] = &[Feature::Thread, Feature::Rapid, Feature::Linear];
+
+/// What grooves and taps need, and cycles of driven tools.
+pub(crate) const GROOVES: &[Feature] = &[Feature::Grooving, Feature::Rapid, Feature::Linear];
+pub(crate) const TAPS: &[Feature] = &[Feature::Grooving, Feature::Rapid, Feature::Linear, Feature::Spindle];
+pub(crate) const DRIVEN: &[Feature] =
+    &[Feature::DrivenCycle, Feature::CAxis, Feature::MTool, Feature::Rapid, Feature::Linear];
 
 /// What an M code needs on a machine.
 pub(crate) fn of_m_code(code: i64, machine: MachineType) -> &'static [Feature] {
@@ -64,6 +71,9 @@ pub(crate) fn of_g_code(code: i64, machine: MachineType) -> &'static [Feature] {
         22 | 28 | 29 => &[Feature::Torque],
         31..=33 | 71 | 72 => PASSES,
         34 | 35 => &[Feature::Thread],
+        73 | 74 => GROOVES,
+        77 | 78 => TAPS,
+        178..=190 => DRIVEN,
         50 => &[],
         64 | 65 => &[Feature::Aux],
         101..=103 | 132 | 133 | 136 | 137 => &[Feature::ContourGeneration],
@@ -139,6 +149,8 @@ pub(crate) fn of_setup(setup: &Setup) -> Features {
         ),
         (setup.spindle != plain.spindle, Feature::Gear),
         (setup.parameters.thread_chamfer_feed != plain.parameters.thread_chamfer_feed, Feature::Thread),
+        (setup.parameters.grooving_retract != plain.parameters.grooving_retract, Feature::Grooving),
+        (driven_parameters(setup) != driven_parameters(&plain), Feature::DrivenCycle),
         (setup.parameters.m75_pattern != plain.parameters.m75_pattern, Feature::Thread),
         (setup.stm != plain.stm, Feature::TimeOver),
         (!setup.inputs.torque_stops.is_empty(), Feature::Torque),
@@ -161,4 +173,10 @@ pub(crate) fn of_setup(setup: &Setup) -> Features {
         }
     }
     needs
+}
+
+/// The parameters of cycles of driven tools.
+fn driven_parameters(setup: &Setup) -> (Length, CycleReturn, G184Tapping) {
+    let parameters = &setup.parameters;
+    (parameters.drilling_retract, parameters.cycle_return, parameters.g184_tapping)
 }

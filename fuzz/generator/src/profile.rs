@@ -35,6 +35,11 @@ use crate::tape;
 /// | positionings and withdrawals of threads | `thread`, with `rapid` and `linear` |
 /// | A, C and W of threads | `any-angle`, `c-axis`, `w-axis` |
 /// | other words of threads, parameters of thread cutting | `thread` |
+/// | motions of grooves and taps, the spindle of taps | `grooving`, with `rapid`, `linear` and `spindle` |
+/// | motions of cycles of driven tools | `driven-cycle`, with `c-axis`, `m-tool`, `rapid` and `linear` |
+/// | C and W of cycles, and E where it is a dwell | `c-axis`, `w-axis`, `dwell` |
+/// | M codes of cycles | `aux` |
+/// | other words of cycles and their parameters | `grooving`, `driven-cycle` |
 ///
 /// Schedule programs occur only with every feature allowed. M02 and M30 are always there. Readings other than the default ones occur with every feature allowed, or on
 /// request.

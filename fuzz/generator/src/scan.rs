@@ -54,6 +54,8 @@ pub(crate) fn needs_of(text: &[u8], mode: Mode, machine: MachineType) -> Feature
         needs: Features::default(),
         mode,
         side: 13,
+        cycle: false,
+        slot: false,
         other_mode: mode,
         machine,
         block: Words::default(),
@@ -92,6 +94,9 @@ struct Words {
     axis: bool,
     /// A whole thread in one block.
     compound: bool,
+    /// A groove or a tap, and E, which is a dwell of most cycles.
+    groove: bool,
+    dwells: bool,
     /// I and K, D, and words that only threads have.
     centre: bool,
     depth: bool,
@@ -112,6 +117,9 @@ struct Scan<'t> {
     /// G13 or G14, and on two saddles the mode of the other side.
     side: i64,
     other_mode: Mode,
+    /// Whether a cycle of driven tools is in force, and whether it is that of key ways.
+    cycle: bool,
+    slot: bool,
     machine: MachineType,
     block: Words,
 }
@@ -260,7 +268,7 @@ impl Scan<'_> {
         }
         if block.shift && (block.axis || !block.speed) {
             self.needs.add(&[Feature::ZeroShift]);
-        } else if block.axis && !block.shift && !block.one_shot {
+        } else if block.axis && !block.shift && !block.one_shot && !self.cycle {
             self.needs.add(match self.mode {
                 Mode::Rapid => &[Feature::Rapid],
                 Mode::Linear => &[Feature::Linear],
@@ -278,7 +286,11 @@ impl Scan<'_> {
                 | Mode::ThreadAlongToo
                 | Mode::ThreadAcross
         );
-        if !threads && !block.compound {
+        let cycle = self.cycle || block.groove;
+        if cycle && block.dwells && !self.slot {
+            self.needs.add(&[Feature::Dwell]);
+        }
+        if !threads && !block.compound && !cycle {
             for (written, feature) in
                 [(block.centre, Feature::Arc), (block.depth, Feature::Torque), (block.cycle, Feature::Alarm)]
             {
@@ -333,6 +345,9 @@ impl Scan<'_> {
                 self.needs.add(&[Feature::WAxis]);
             }
             self.block.axis |= run == b"QA";
+            self.equal_sign();
+        } else if run == b"DA" {
+            self.block.cycle = true;
             self.equal_sign();
         } else if COMPARISONS.contains(&run) {
             self.needs.add(&[Feature::Expression]);
@@ -398,7 +413,7 @@ impl Scan<'_> {
             },
             b'V' if self.peek().is_ascii_digit() => self.variable(),
             b'V' => &[Feature::SystemVariable, Feature::Alarm],
-            b'X' | b'Z' | b'L' | b'I' | b'K' | b'D' | b'E' | b'J' | b'Q' | b'B' | b'U' | b'H' => &[],
+            b'X' | b'Z' | b'L' | b'I' | b'K' | b'D' | b'E' | b'J' | b'Q' | b'B' | b'U' | b'H' | b'R' => &[],
             b'A' => &[Feature::AnyAngle],
             b'C' => &[Feature::CAxis],
             b'Y' => &[Feature::ContourGeneration],
@@ -416,7 +431,8 @@ impl Scan<'_> {
             matches!(letter, b'X' | b'Y' | b'Z' | b'C' | b'W' | b'A' | b'I' | b'K' | b'L' | b'E' | b'J');
         self.block.centre |= matches!(letter, b'I' | b'K');
         self.block.depth |= letter == b'D';
-        self.block.cycle |= matches!(letter, b'E' | b'J' | b'Q' | b'B' | b'U' | b'H');
+        self.block.cycle |= matches!(letter, b'E' | b'J' | b'Q' | b'B' | b'U' | b'H' | b'R');
+        self.block.dwells |= letter == b'E';
     }
 
     /// A common variable; digits with a letter behind them name an unknown system variable.
@@ -431,8 +447,12 @@ impl Scan<'_> {
     fn note_g(&mut self, code: i64) {
         self.block.dwell |= code == 4;
         self.block.shift |= code == 50;
-        self.block.one_shot |= matches!(code, 4 | 28 | 29 | 71 | 72);
+        self.block.one_shot |= matches!(code, 4 | 28 | 29 | 71 | 72 | 73 | 74 | 77 | 78);
         self.block.compound |= matches!(code, 71 | 72);
+        self.block.groove |= matches!(code, 73 | 74 | 77 | 78);
+        if (178..=190).contains(&code) {
+            (self.cycle, self.slot) = (code != 180, code == 190);
+        }
         let selects = matches!(code, 13 | 14) && self.machine == MachineType::TwoSaddles;
         if selects && self.side != code {
             self.side = code;

@@ -12,6 +12,7 @@ use crate::choices::Choices;
 use crate::compensation::Compensation;
 use crate::contour::Contours;
 use crate::control::Control;
+use crate::cycles::Cycles;
 use crate::environment::Environment;
 use crate::io::Io;
 use crate::schedule::Schedule;
@@ -134,6 +135,8 @@ pub struct State {
     pub barriers: Areas,
     /// Thread cutting.
     pub threads: Threads,
+    /// Grooving, drilling and tapping cycles, and cycles of driven tools.
+    pub cycles: Cycles,
     /// Data communication, inputs and outputs.
     pub io: Io,
     /// Files and main programs of a schedule.
@@ -183,6 +186,7 @@ impl State {
             control: Control::default(),
             barriers: Areas::new(&setup),
             threads: Threads::default(),
+            cycles: Cycles::default(),
             io: Io::new(&setup),
             schedule: Schedule::default(),
             turrets: Turrets::new(&setup),

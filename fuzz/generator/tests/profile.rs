@@ -7,7 +7,7 @@ use std::collections::BTreeSet;
 
 use turnspec_generator::{Case, Profile, case_from_seed, case_from_seed_within};
 use turnspec_oracle::vocabulary::{
-    Action, Chamfering, Event, Feature, Setup, SpindleName, SpindleState, TapeCode,
+    Action, Chamfering, Event, Feature, RuleId, Setup, SpindleName, SpindleState, TapeCode,
 };
 
 const SEEDS: u64 = 2_000;
@@ -102,6 +102,17 @@ fn programs_with_threads_stay_within_and_end() {
     assert!(ran.kinds.contains("thread"), "no thread event");
 }
 
+/// Cycles with no more than they need.
+#[test]
+fn programs_with_cycles_stay_within_and_end() {
+    let driven = [Feature::DrivenCycle, Feature::CAxis, Feature::MTool];
+    for cycles in [&[Feature::Grooving] as &[Feature], &driven] {
+        let ran = stays_within(&[SMALL, cycles].concat());
+        assert!(ran.ended * 100 >= SEEDS * 96, "{} of {SEEDS} programs ended", ran.ended);
+        assert!(ran.cycles > SEEDS * 4 / 100, "{} programs with cycles", ran.cycles);
+    }
+}
+
 /// Programs that were changed, by shrinking for example, are tested by the profile itself.
 #[test]
 fn a_profile_permits_its_own_cases_and_refuses_others() {
@@ -129,6 +140,8 @@ struct Ran {
     ended: u64,
     events: u64,
     kinds: BTreeSet<String>,
+    /// How many programs have a motion of a cycle.
+    cycles: u64,
 }
 
 fn stays_within(features: &[Feature]) -> Ran {
@@ -153,8 +166,12 @@ fn check(features: &[Feature], seeds: std::ops::Range<u64>) -> Ran {
         if !foreign.is_empty() {
             fail(&foreign);
         }
+        let mut cuts = false;
         turnspec_oracle::run(&case.program, &case.setup, &mut |event: &Event| {
             ran.events += 1;
+            let of_cycle =
+                |rule: &RuleId| rule.as_str().contains("-GRV-") || rule.as_str().contains("-MCYC-");
+            cuts |= event.rules.as_slice().iter().any(of_cycle);
             ran.ended += u64::from(matches!(event.action, Action::End { .. }));
             ran.kinds.insert(kind(event));
             let foreign = foreign_event(event, features);
@@ -162,6 +179,7 @@ fn check(features: &[Feature], seeds: std::ops::Range<u64>) -> Ran {
                 fail(&foreign);
             }
         });
+        ran.cycles += u64::from(cuts);
     }
     println!("{} events, {} ended, {:?}", ran.events, ran.ended, ran.kinds);
     ran
@@ -194,7 +212,7 @@ fn foreign_words(case: &Case, features: &[Feature]) -> String {
         return "comment".to_owned();
     }
     let text = without_strings(&without_comments(&text));
-    let extended = [Feature::MTool, Feature::CAxis, Feature::Torque];
+    let extended = [Feature::MTool, Feature::CAxis, Feature::Torque, Feature::Grooving];
     let marks: [(&str, &[Feature]); 5] = [
         ("%:", &[Feature::ProgramName]),
         ("[]*,", &[Feature::Expression]),
@@ -269,18 +287,20 @@ fn foreign_word(line: &str, features: &[Feature]) -> Option<String> {
         None => line,
     };
     let has = |feature: Feature| features.contains(&feature);
+    let cycles = has(Feature::Grooving) || has(Feature::DrivenCycle);
     let needs: &[(&str, bool)] = &[
         ("A", has(Feature::AnyAngle)),
         ("C", has(Feature::CAxis)),
         ("W", has(Feature::WAxis)),
-        ("IK", has(Feature::Arc) || has(Feature::Thread)),
-        ("D", has(Feature::Torque) || has(Feature::Thread)),
+        ("IK", has(Feature::Arc) || has(Feature::Thread) || cycles),
+        ("D", has(Feature::Torque) || has(Feature::Thread) || cycles),
         ("F", has(Feature::Feed) || has(Feature::Dwell)),
         ("S", has(Feature::Spindle)),
         ("T", has(Feature::Tool)),
         ("V", has(Feature::Variable) || has(Feature::SystemVariable)),
-        ("BEHJQU", has(Feature::Alarm) || has(Feature::Thread)),
-        ("R", has(Feature::Alarm)),
+        ("BH", has(Feature::Alarm) || has(Feature::Thread)),
+        ("EJQU", has(Feature::Alarm) || has(Feature::Thread) || cycles),
+        ("R", has(Feature::Alarm) || has(Feature::DrivenCycle)),
         ("Y", has(Feature::Alarm) || has(Feature::ContourGeneration)),
         ("P", has(Feature::Alarm) || has(Feature::TwoSaddles)),
         ("O", has(Feature::Subprogram) || has(Feature::ModalCall) || has(Feature::Alarm)),
@@ -322,6 +342,7 @@ fn is_known_name(run: &[u8], features: &[Feature]) -> bool {
     let has = |feature: Feature| features.contains(&feature);
     match run {
         b"CALRG" => has(Feature::Arc),
+        b"DA" => has(Feature::Grooving) || has(Feature::Alarm),
         b"SB" => has(Feature::MTool),
         b"SA" | b"QA" => has(Feature::CAxis),
         b"PZ" | b"PW" => has(Feature::Torque),
@@ -354,7 +375,7 @@ fn foreign_event(event: &Event, features: &[Feature]) -> String {
         }
         Action::Arc { .. } => has(Feature::Feed) && (has(Feature::Arc) || has(Feature::Rounding)),
         Action::ContourArc { .. } => has(Feature::ContourGeneration),
-        Action::Thread { .. } => has(Feature::Thread),
+        Action::Thread { .. } => has(Feature::Thread) || has(Feature::DrivenCycle),
         Action::Dwell { .. } => has(Feature::Dwell),
         Action::Spindle(spindle) => match spindle.spindle {
             SpindleName::Main => {
@@ -422,6 +443,10 @@ fn rule_allowed(id: &str, features: &[Feature]) -> bool {
         "DWELL" => &[Feature::Dwell],
         "G31" | "G32" | "G33" | "G34" | "G71" | "G72" | "TCHM" | "THRD" | "TINF" | "TMOD" | "TMUL" => {
             &[Feature::Thread]
+        }
+        "GRV" | "TAP" => &[Feature::Grooving],
+        "CTHR" | "G181" | "G182" | "G183" | "G184" | "G189" | "G190" | "MCYC" | "STAP" => {
+            &[Feature::DrivenCycle]
         }
         "FUNC" => &[Feature::Function],
         "G50" => &[Feature::ZeroShift],

@@ -96,7 +96,7 @@ impl Reached {
         let mut events = Vec::new();
         turnspec_oracle::run(&case.program, &case.setup, &mut |event: &Event| events.push(*event));
         self.programs += 1;
-        let cuts = |event: &Event| matches!(event.action, Action::Thread { .. });
+        let cuts = |event: &Event| matches!(event.action, Action::Thread { spindle: None, .. });
         if !events.iter().any(cuts) {
             return;
         }
@@ -148,7 +148,7 @@ fn deeds(case: &Case, events: &[Event]) -> BTreeSet<&'static str> {
         }
         let part = motion_of(event).and_then(|motion| motion.part);
         exits = if part == Some(Part::Exit) { exits + 1 } else { 0 };
-        let Action::Thread { motion, axis, change, .. } = event.action else { continue };
+        let Action::Thread { motion, axis, change, spindle: None, .. } = event.action else { continue };
         *lines.entry(event.block.line).or_default() += u64::from(part == Some(Part::Cut));
         let compound = cites(event, G71_01) || cites(event, G72_01);
         let list = [

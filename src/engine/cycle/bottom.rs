@@ -6,6 +6,7 @@ use turnspec_oracle::vocabulary::{Action, ChipDischarge, Duration, Part, RuleSet
 
 use crate::engine::Interpreter;
 use crate::engine::fault::Fault;
+use crate::engine::planted::{self, Bug};
 use crate::engine::thread::Cited;
 
 use super::axis::Axis;
@@ -96,7 +97,8 @@ impl Interpreter<'_> {
     fn cut_in_pecks(&mut self, holes: &Holes, sink: &mut impl Sink) -> Result<(), Fault> {
         let data = self.state.cycle.data;
         let Holes { axis, direction, level, bottom, .. } = *holes;
-        let to_start = self.setup.readings.chip_discharge == ChipDischarge::CycleStart;
+        let to_start = self.setup.readings.chip_discharge == ChipDischarge::CycleStart
+            && !planted::is(Bug::DischargeLevelLost);
         let peck = Peck {
             axis,
             level,
@@ -121,7 +123,7 @@ impl Interpreter<'_> {
     fn tap_in_step(&mut self, holes: &Holes, sink: &mut impl Sink) -> Result<(), Fault> {
         let own = holes.own;
         let (inward, outward) = match holes.code {
-            179 => (CounterClockwise, Clockwise),
+            179 if !planted::is(Bug::LeftTapTurnsRight) => (CounterClockwise, Clockwise),
             _ => (Clockwise, CounterClockwise),
         };
         let Holes { axis, lead, .. } = *holes;

@@ -10,6 +10,7 @@ use crate::engine::arithmetic::frame::coordinate;
 use crate::engine::arithmetic::tool::ToolWord;
 use crate::engine::block::OneShot;
 use crate::engine::fault::Fault;
+use crate::engine::planted::{self, Bug};
 use crate::engine::thread::Cited;
 use crate::engine::words::{Address, Words};
 
@@ -128,11 +129,11 @@ impl Interpreter<'_> {
         let number = usize::from(ToolWord::new(tool).offset);
         let [x, z] = self.state.tool_offsets.get(number).copied().unwrap_or_default();
         let [present_x, present_z] = self.state.active_offset();
-        self.state.offset_sign
-            * match lateral {
-                Axis::X => x.saturating_sub(present_x),
-                Axis::Z => z.saturating_sub(present_z),
-            }
+        let sign = if planted::is(Bug::GrooveEdgeAdded) { 1 } else { self.state.offset_sign };
+        sign * match lateral {
+            Axis::X => x.saturating_sub(present_x),
+            Axis::Z => z.saturating_sub(present_z),
+        }
     }
 
     /// One groove, from the level of the cycle start and back.

@@ -9,6 +9,7 @@ use crate::engine::arithmetic::drilling::{at_depth, helix_feed, helix_turn};
 use crate::engine::arithmetic::turn;
 use crate::engine::fault::Fault;
 use crate::engine::motion::Turn;
+use crate::engine::planted::{self, Bug};
 use crate::engine::state::C;
 use crate::engine::thread::Cited;
 use crate::engine::words::{Address, Words};
@@ -99,7 +100,9 @@ impl Interpreter<'_> {
         let taper = data.amount(axis.other()).unwrap_or_default();
         let level = data.coordinate(axis.other()).saturating_add(taper);
         let end = axis.other().put(axis.put(present, to), level);
-        let on_radius = axis == Axis::X && self.setup.readings.feed_length == FeedLength::Radius;
+        let on_radius = axis == Axis::X
+            && !planted::is(Bug::HelixOnDiameter)
+            && self.setup.readings.feed_length == FeedLength::Radius;
         let twice = i128::from(to.abs_diff(from)) * if on_radius { 1 } else { 2 };
         let lead = feed.value.0;
         let size = helix_turn(twice, lead);

@@ -11,6 +11,7 @@ use crate::engine::arithmetic::frame::to_machine;
 use crate::engine::arithmetic::turn;
 use crate::engine::fault::Fault;
 use crate::engine::motion::Turn;
+use crate::engine::planted::{self, Bug};
 use crate::engine::state::C;
 use crate::engine::thread::Cited;
 use crate::engine::words::{Address, Words};
@@ -99,7 +100,12 @@ impl Interpreter<'_> {
                     self.turn_tool(state, holes.own, sink);
                 }
             } else {
-                let angle = hole_angle(first, number, count, self.state.c_negative);
+                let angle = hole_angle(
+                    first,
+                    number,
+                    count,
+                    self.state.c_negative && !planted::is(Bug::HolesForward),
+                );
                 self.turn_to_place(angle, &holes, sink)?;
             }
             self.one_hole(&holes, number > 0, sink)?;
@@ -114,7 +120,7 @@ impl Interpreter<'_> {
         let axis = self.state.cycle.axis;
         let data = self.state.cycle.data;
         let start = self.cycle_start(axis);
-        if is_first {
+        if is_first || planted::is(Bug::DirectionAnew) {
             let way = data.r.unwrap_or_else(|| data.coordinate(axis).saturating_sub(start));
             self.state.cycle.direction = way.signum();
         }
@@ -125,10 +131,11 @@ impl Interpreter<'_> {
         if direction == 0 || depth <= 0 {
             return Err(unspecified(MCYC_05, "depth"));
         }
-        self.state.cycle.spent |= words.has(Address::Q);
+        self.state.cycle.spent |= words.has(Address::Q) && !planted::is(Bug::SpentForgotten);
         let keyway = if code == 190 { Some(self.keyway(depth)?) } else { None };
         let lead = if synchronised { self.tap_lead(feed)? } else { 0 };
-        let to_start = self.setup.parameters.cycle_return == CycleReturn::CycleStart || words.has_m(136);
+        let to_start = self.setup.parameters.cycle_return == CycleReturn::CycleStart
+            || words.has_m(136) && !planted::is(Bug::ReturnLevelLost);
         let own = cycle_rules(code, synchronised);
         Ok(Holes {
             code,
@@ -141,7 +148,7 @@ impl Interpreter<'_> {
             back: if to_start { start } else { level },
             feed,
             lead,
-            clamps: !(words.has_m(141) || words.has_m(169)),
+            clamps: !(words.has_m(141) || words.has_m(169) && !planted::is(Bug::ClampKept)),
             follows: !is_first,
             own,
             cites: self.hole_cites(words, own, is_first),

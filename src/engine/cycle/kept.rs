@@ -6,6 +6,7 @@ use turnspec_oracle::vocabulary::{Part, Sink};
 use crate::engine::Interpreter;
 use crate::engine::codes::GGroup;
 use crate::engine::fault::Fault;
+use crate::engine::planted::{self, Bug};
 use crate::engine::state::{X, Z};
 use crate::engine::words::{Address, Words};
 
@@ -188,7 +189,7 @@ impl Interpreter<'_> {
                 Axis::X => data.x = None,
                 Axis::Z => data.z = None,
             }
-        } else if words.has(kept.axis.word()) {
+        } else if words.has(kept.axis.word()) && !planted::is(Bug::DepthOverBottom) {
             data.r = None;
         }
         if words.has(Address::E) {
@@ -209,7 +210,7 @@ impl Interpreter<'_> {
     ) -> Result<(), Fault> {
         self.state.cycle.spent = false;
         self.state.cycle.after_cancel = true;
-        if !super::is_chain(code) {
+        if !super::is_chain(code) || planted::is(Bug::ChainStays) {
             return Ok(());
         }
         let end = [Axis::X, Axis::Z]

@@ -8,6 +8,7 @@ use crate::engine::Interpreter;
 use crate::engine::arithmetic::drilling::{at_part, equal_steps};
 use crate::engine::cite;
 use crate::engine::fault::Fault;
+use crate::engine::planted::{self, Bug};
 use crate::engine::thread::Cited;
 
 use super::axis::Axis;
@@ -76,7 +77,10 @@ impl Interpreter<'_> {
         }
         // D was tested: it is there, and not zero.
         let step = kept.data.d.unwrap_or_default().max(1);
-        let passes = equal_steps(rough, step);
+        let passes = match planted::is(Bug::StepsCut) {
+            true => (rough / step).max(1),
+            false => equal_steps(rough, step),
+        };
         Ok(Keyway { depth, rough, step, passes, equal: kept.equal, begin, end, plunge: kept.data.e })
     }
 
@@ -122,7 +126,8 @@ impl Interpreter<'_> {
         let depth = at_part(holes.level, holes.direction, keyway.depth_of(number), 0);
         let infeed = (Part::Infeed, pass);
         self.go_along((holes.axis, depth), Drive::Feed(plunge), infeed, cites.infeed, sink)?;
-        let backwards = self.state.cycle.zigzag && number % 2 == 0;
+        let first = i64::from(planted::is(Bug::ZigzagShifted));
+        let backwards = self.state.cycle.zigzag && number % 2 == first;
         let target = if backwards { keyway.begin } else { keyway.end };
         let part = if number > keyway.passes { Part::Finish } else { Part::Cut };
         let slot = (holes.axis.other(), target);

@@ -8,6 +8,7 @@ use crate::engine::Interpreter;
 use crate::engine::block::OneShot;
 use crate::engine::codes::GGroup;
 use crate::engine::fault::Fault;
+use crate::engine::planted::{self, Bug};
 use crate::engine::words::{Address, Item, Parsed, Words};
 
 use super::{CycleBlock, NO_CYCLE, is_helix};
@@ -27,7 +28,8 @@ impl Interpreter<'_> {
         if kept.spent {
             return Fault::raise(AlarmName::CycleCancelMissing, MCYC_21);
         }
-        if kept.after_cancel && !(words.has(Address::X) && words.has(Address::Z)) {
+        let both = words.has(Address::X) && (words.has(Address::Z) || planted::is(Bug::XAloneBehindCancel));
+        if kept.after_cancel && !both {
             return Fault::raise(AlarmName::WordMissing, MCYC_13);
         }
         if block.in_mode() {

@@ -5,6 +5,7 @@ use turnspec_oracle::vocabulary::{Feed, Part, PeckRetract, Sink};
 use crate::engine::Interpreter;
 use crate::engine::arithmetic::drilling::{at_depth, next_depth, relieved};
 use crate::engine::fault::Fault;
+use crate::engine::planted::{self, Bug};
 use crate::engine::thread::Cited;
 
 use super::axis::Axis;
@@ -43,20 +44,26 @@ pub struct PeckCites {
 impl Interpreter<'_> {
     /// An amount by which the tool returns, along an axis.
     pub(super) fn retract(&self, axis: Axis, amount: i64) -> i64 {
-        let radius = self.setup.readings.peck_retract == PeckRetract::Radius;
+        let radius =
+            self.setup.readings.peck_retract == PeckRetract::Radius && !planted::is(Bug::PeckReadingLost);
         if axis == Axis::X && radius { amount.saturating_mul(2) } else { amount }
     }
 
     /// Cuts to the bottom.
     pub(super) fn peck(&mut self, peck: &Peck, cites: &PeckCites, sink: &mut impl Sink) -> Result<(), Fault> {
         let at = |depth| (peck.axis, at_depth(peck.level, peck.direction, depth));
-        let (mut done, mut since) = (0, 0_i64);
+        let (mut done, mut since) = (0_i64, 0_i64);
         let mut number = 1_u32;
         loop {
-            let next = next_depth(done, peck.step, peck.depth);
+            let next = match planted::is(Bug::LastPeckWhole) {
+                true => done.saturating_add(peck.step),
+                false => next_depth(done, peck.step, peck.depth),
+            };
             since = since.saturating_add(next.saturating_sub(done));
             done = next;
-            self.begin_pass()?;
+            if !planted::is(Bug::PecksUncounted) {
+                self.begin_pass()?;
+            }
             self.go_along(at(done), Drive::Feed(peck.feed), (Part::Cut, Some(number)), cites.cut, sink)?;
             if done >= peck.depth {
                 return Ok(());
@@ -64,7 +71,7 @@ impl Interpreter<'_> {
             let back = at(relieved(done, peck.retract));
             let following = number.saturating_add(1);
             if peck.between.is_some_and(|between| since >= between) {
-                since = 0;
+                since = if planted::is(Bug::DischargeOnce) { since } else { 0 };
                 let out = (peck.axis, peck.withdrawal);
                 let withdraw = (Part::Withdraw, Some(number));
                 self.go_along(out, Drive::Rapid, withdraw, cites.withdraw, sink)?;

@@ -9,6 +9,7 @@ use crate::engine::arithmetic::drilling::at_depth;
 use crate::engine::arithmetic::frame::coordinate;
 use crate::engine::block::OneShot;
 use crate::engine::fault::Fault;
+use crate::engine::planted::{self, Bug};
 use crate::engine::state::{X, Z};
 use crate::engine::words::{Address, Words};
 
@@ -52,7 +53,8 @@ impl Interpreter<'_> {
         if self.spindle_speed(reference).value == 0 {
             return Err(unspecified(TAP_04, "speed"));
         }
-        let (inward, outward) = if right == (self.state.mirror > 0) {
+        let forward = self.state.mirror > 0 || planted::is(Bug::TapsNotMirrored);
+        let (inward, outward) = if right == forward {
             (SpindleState::Clockwise, SpindleState::CounterClockwise)
         } else {
             (SpindleState::CounterClockwise, SpindleState::Clockwise)

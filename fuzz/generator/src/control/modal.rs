@@ -82,7 +82,8 @@ impl Builder<'_, '_, '_> {
 
     /// What a block that was just written triggers.
     pub(crate) fn trigger(&mut self, items: &[Item]) {
-        let still = self.state.control.modes.is_empty() || self.state.mode.is_contour();
+        let modes = &self.state.control.modes;
+        let still = modes.is_empty() || self.state.mode.is_contour() || self.state.cycles.is_on();
         if still || !triggers(items) || !self.allows(Feature::ModalCall) {
             return;
         }
@@ -105,6 +106,7 @@ impl Builder<'_, '_, '_> {
 
 /// Whether a block has a motion of X or Z that triggers modal calls.
 fn triggers(items: &[Item]) -> bool {
-    let one_shot = |item: &Item| matches!(item, Item::Word(word) if word.is_g(&[4, 22, 28, 29, 50, 71, 72]));
+    let codes = &[4, 22, 28, 29, 50, 71, 72, 73, 74, 77, 78];
+    let one_shot = |item: &Item| matches!(item, Item::Word(word) if word.is_g(codes));
     (has(items, "X") || has(items, "Y") || has(items, "Z")) && !items.iter().any(one_shot)
 }

@@ -42,7 +42,7 @@ pub(crate) struct Again {
     blocks: usize,
     /// Whether it gives a feed.
     feeds: bool,
-    /// Whether it cuts threads.
+    /// Whether it cuts threads, or taps.
     threads: bool,
     /// Where it ends, if it moves.
     effect: Option<Effect>,
@@ -379,9 +379,10 @@ fn counts(line: &Line) -> bool {
     }
 }
 
-/// Whether a line has a code of thread cutting.
+/// Whether a line has a code of thread cutting or tapping.
 fn cuts_thread(line: &Line) -> bool {
-    let code = |item: &Item| matches!(item, Item::Word(word) if word.is_g(threads::CODES));
+    let code =
+        |item: &Item| matches!(item, Item::Word(word) if word.is_g(threads::CODES) || word.is_g(&[77, 78]));
     matches!(line, Line::Block(block) if block.items.iter().any(code))
 }
 

@@ -7,6 +7,8 @@ mod compensation;
 mod contour;
 mod contour_texts;
 mod control;
+mod cycle_texts;
+mod cycles;
 mod io;
 mod motion;
 mod schedule;
@@ -60,9 +62,20 @@ pub(crate) fn choose(choices: &mut Choices<'_, '_>, setup: &Setup) -> Fault {
     }
 }
 
-/// Whether programs without threads are made to raise it.
+/// Whether programs without threads and cycles are made to raise it.
 fn is_generated(fault: &Fault) -> bool {
-    !matches!(fault, Fault::ThreadInConstantSpeed | Fault::ThreadLeadRange | Fault::ThreadData)
+    !matches!(
+        fault,
+        Fault::ThreadInConstantSpeed
+            | Fault::ThreadLeadRange
+            | Fault::ThreadData
+            | Fault::CycleIncremental
+            | Fault::CycleWord
+            | Fault::CycleFeedMode
+            | Fault::CycleCancelMissing
+            | Fault::CycleApproachNegative
+            | Fault::CycleDepthOverdetermined
+    )
 }
 
 /// The alarms that need something unusual of the set-up, where this one has it.
@@ -123,6 +136,7 @@ impl Builder<'_, '_, '_> {
         self.begin();
         self.contour_fault(fault)
             || self.thread_fault(fault)
+            || self.cycle_fault(fault)
             || self.turret_fault(fault)
             || self.io_fault(fault)
             || self.control_fault(fault)

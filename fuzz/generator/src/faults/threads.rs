@@ -2,8 +2,8 @@
 
 use turnspec_oracle::vocabulary::{BalancedInfeed, Feature};
 
+use super::Fault;
 use super::thread_texts as texts;
-use super::{Fault, choose};
 use crate::builder::Builder;
 use crate::compensation::Side;
 use crate::program::Item;
@@ -17,7 +17,10 @@ impl Builder<'_, '_, '_> {
         if self.threads && self.choices.chance(75) {
             return self.choices.weighted(texts::FAULTS);
         }
-        self.some_contour_fault().unwrap_or_else(|| choose(self.choices, &self.state.setup))
+        match self.some_contour_fault() {
+            Some(fault) => fault,
+            None => self.cycle_fault_or_other(),
+        }
     }
 
     /// Adds blocks with this fault.

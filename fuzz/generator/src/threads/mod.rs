@@ -49,6 +49,11 @@ pub struct Threads {
 }
 
 impl Threads {
+    /// The stored F as a lead, in nanometres, where it is known.
+    pub(crate) fn feed(&self) -> Option<f64> {
+        self.feed
+    }
+
     /// Notes an F word.
     pub(crate) fn note_feed(&mut self, per_revolution: bool, amount: f64) {
         self.feed = per_revolution.then_some(amount);
@@ -125,7 +130,7 @@ impl Builder<'_, '_, '_> {
     }
 
     /// Draws a block again until it can stand, and adds it; false when none can.
-    fn attempt(&mut self, write: impl Fn(&mut Self) -> bool) -> bool {
+    pub(crate) fn attempt(&mut self, write: impl Fn(&mut Self) -> bool) -> bool {
         for _ in 0..ATTEMPTS {
             let (state, lines) = (self.state.clone(), self.lines.len());
             self.begin();

@@ -69,7 +69,7 @@ impl State {
     }
 
     /// The way along the lead axis between two coordinates.
-    pub(super) fn along(&self, face: bool, from: i64, to: i64) -> f64 {
+    pub(crate) fn along(&self, face: bool, from: i64, to: i64) -> f64 {
         let way = from.abs_diff(to) as f64;
         if face { way * self.way_of_x() } else { way }
     }

@@ -54,7 +54,7 @@ impl Builder<'_, '_, '_> {
     }
 
     /// A program coordinate of an axis at some distance from another one, within the limits; now and then at one.
-    pub(super) fn coordinate_from(&mut self, axis: Axis, from: i64, least: i64, most: i64) -> i64 {
+    pub(crate) fn coordinate_from(&mut self, axis: Axis, from: i64, least: i64, most: i64) -> i64 {
         let (low, high) = self.state.window(axis);
         if self.choices.chance(6) {
             return if (from > low) == self.choices.chance(50) { low } else { high };

@@ -164,7 +164,7 @@ impl Builder<'_, '_, '_> {
     }
 
     /// A length that is a word of one of the cycles, as it is read.
-    pub(super) fn amount(&mut self, address: &'static str, wanted: i64, items: &mut Vec<Item>) -> i64 {
+    pub(crate) fn amount(&mut self, address: &'static str, wanted: i64, items: &mut Vec<Item>) -> i64 {
         let (item, value) = self.length(address, wanted);
         items.push(item);
         value

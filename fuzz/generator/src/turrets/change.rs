@@ -151,7 +151,7 @@ impl Builder<'_, '_, '_> {
         let steady = self.state.control.steady;
         match code {
             3 | 4 => self.state.turrets.may_turn(code == 3, steady),
-            194 => !self.threads,
+            194 => !(self.threads || self.cycles),
             100 => !self.state.compensation.is_on() && !steady && !self.waits_at_m100(),
             _ => true,
         }
@@ -162,9 +162,10 @@ impl Builder<'_, '_, '_> {
         self.state.setup.machine.r#type == MachineType::TwoSaddles && !self.allows(Feature::Spindle)
     }
 
-    /// Notes an M code of the main spindle, or of threads.
+    /// Notes an M code of the main spindle, of threads or of cycles.
     pub(crate) fn note_turning(&mut self, code: i64) {
         self.state.threads.note_m(code);
+        self.state.cycles.note_m(code);
         match code {
             3 | 4 => self.state.turrets.turn(code == 3),
             5 | 19 if !self.state.control.steady => self.state.turrets.stop(),

@@ -84,7 +84,7 @@ impl Builder<'_, '_, '_> {
 
     /// A fault, mostly one of programs for two saddles.
     fn fault_of_sides(&mut self) -> Fault {
-        if self.choices.chance(if self.threads { 35 } else { 70 }) {
+        if self.choices.chance(if self.threads || self.cycles { 35 } else { 70 }) {
             return self.choices.weighted(FAULTS);
         }
         self.any_fault()
@@ -97,9 +97,9 @@ impl Builder<'_, '_, '_> {
             return true;
         }
         let undescribed = fault == Some(AlarmName::Unspecified);
-        if undescribed && self.choices.chance(6) && self.allows(Feature::Schedule) {
-            let headless = self.state.is_eia() || !self.allows(Feature::ProgramName);
-            self.state.setup.schedule = headless || self.choices.chance(50);
+        let scheduled = self.allows(Feature::Schedule) && self.allows(Feature::ProgramName);
+        if undescribed && scheduled && self.choices.chance(6) {
+            self.state.setup.schedule = self.state.is_eia() || self.choices.chance(50);
             if !self.state.setup.schedule {
                 self.raw(b"$PAIR.SDF%");
             }
