@@ -126,7 +126,7 @@ theorems! {
         let (diameter, fraction) = (within(1 << 43), one_of(&[-2, -1, 0, 1, 2]));
         let off = 4 * quarter(diameter, fraction) - diameter * fraction;
         kani::cover!(off == -2, "half of one, below zero");
-        assert!(-2 <= off && off <= 2);
+        assert!((-2..=2).contains(&off));
         assert!(off.abs() < 2 || (off < 0) == (diameter * fraction < 0));
     }
 

@@ -60,7 +60,7 @@ impl Contour {
     }
 
     /// What its plane from the other side makes of it.
-    fn from_inside(self) -> Self {
+    fn seen_inside(self) -> Self {
         let code = if self.code == 132 { 133 } else { 132 };
         Self { code, inner: !self.inner, ..self }
     }
@@ -105,7 +105,7 @@ pub(crate) fn pairs_agree(bytes: &mut Unstructured<'_>) -> Verdict {
     follow(&events).and_then(|()| radius(&events, contour.radius * 1_000)).map_err(shown)?;
     mirror(&events, &trace(&contour.mirrored().case())).map_err(shown)?;
     if contour.code > 103 {
-        let seen = trace(&contour.from_inside().case());
+        let seen = trace(&contour.seen_inside().case());
         require(arcs(&events) == arcs(&seen), || "another arc from inside".to_owned()).map_err(shown)?;
     }
     let end = (contour.end.0, (contour.end.1 + 1) % 360_000);

@@ -179,7 +179,7 @@ fn on_side(from: Motion, to: Motion, side: SideArc) -> Verdict {
 #[cfg(test)]
 mod tests {
     use super::follow;
-    use turnspec_oracle::vocabulary::{Action, Angle, ContourPlane, Event, Length, Setup};
+    use turnspec_oracle::vocabulary::{Action, Angle, ContourPlane, Event, FacePoint, Length, Setup};
 
     const FACE: &[u8] = b"M110\nG94 G00 X100 C80 F100\nG103 C280 L50\nG101 X60 C10\nC190\nM02\n";
     const SIDE: &[u8] = b"M110\nG94 G00 X100 Z50 F100\nG132 Z20 C60 L60\nM02\n";
@@ -207,34 +207,30 @@ mod tests {
 
     #[test]
     fn wrong_contours_are_refused() {
-        let travel = |action: &mut Action| match action {
-            Action::ContourArc { motion, .. } => {
-                motion.c_travel = motion.c_travel.map(|c| Angle(c.0 - 360_000_000))
+        let travel = |action: &mut Action| {
+            if let Action::ContourArc { motion, .. } = action {
+                motion.c_travel = motion.c_travel.map(|c| Angle(c.0 - 360_000_000));
             }
-            _ => {}
         };
         let centre = |action: &mut Action| match action {
             Action::ContourArc { plane: ContourPlane::FaceCentre(centre), .. } => centre.y.0 += 5,
             Action::ContourArc { plane: ContourPlane::SideArc(side), .. } => side.centre.0 += 5,
             _ => {}
         };
-        let path = |action: &mut Action| match action {
-            Action::Linear { path, .. } => *path = Length(path.0 + 4),
-            _ => {}
-        };
-        let point = |action: &mut Action| match action {
-            Action::Linear { motion, .. } => {
-                motion.face = motion.face.map(|face| {
-                    let mut face = face;
-                    face.y.0 += 4;
-                    face
-                })
+        let path = |action: &mut Action| {
+            if let Action::Linear { path, .. } = action {
+                *path = Length(path.0 + 4);
             }
-            _ => {}
         };
-        let along = |action: &mut Action| match action {
-            Action::ContourArc { plane: ContourPlane::SideArc(side), .. } => side.travel.0 += 2,
-            _ => {}
+        let point = |action: &mut Action| {
+            if let Action::Linear { motion, .. } = action {
+                motion.face = motion.face.map(|face| FacePoint { y: Length(face.y.0 + 4), ..face });
+            }
+        };
+        let along = |action: &mut Action| {
+            if let Action::ContourArc { plane: ContourPlane::SideArc(side), .. } = action {
+                side.travel.0 += 2;
+            }
         };
         assert!(follow(&changed(FACE, travel)).is_err());
         assert!(follow(&changed(SIDE, travel)).is_err());

@@ -101,7 +101,7 @@ impl Builder<'_, '_, '_> {
             14 => self.along_axis(),
             15 => self.beside_points(),
             16 if self.allows(Feature::ZeroShift) => self.shift_of_z(),
-            17 if self.choices.chance(50) => self.to_the_limit(),
+            17 if self.choices.chance(50) => self.beyond_the_limit(),
             18 if self.allows(Feature::Tool) => {
                 let word = self.tool_word();
                 self.push(vec![word]);
@@ -160,7 +160,7 @@ impl Builder<'_, '_, '_> {
     }
 
     /// A position beyond the positive limit of X, where X is cut back.
-    fn to_the_limit(&mut self) {
+    fn beyond_the_limit(&mut self) {
         let Some(limit) = self.state.limits[Axis::X as usize].positive else { return self.along_axis() };
         let beyond = limit.0 - self.state.frame(Axis::X) + self.choices.within(1, 50_000) * 1_000;
         if beyond < 4_000_000 || self.state.sign(Axis::X) < 0 || self.state.incremental {
