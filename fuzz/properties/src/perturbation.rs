@@ -7,7 +7,7 @@ use turnspec_oracle::vocabulary::{
 };
 
 use crate::differential::show;
-use crate::shape::{motion, trace};
+use crate::shape::{is_of_cycle, motion, trace};
 use crate::{Verdict, require};
 
 /// Alarms that a coordinate decides by a threshold.
@@ -58,7 +58,8 @@ const STEADY: &[RuleId] = &[NRC_15, NRC_26, NRC_30, NRC_44, NRC_45, NRC_66, NRC_
 ///    those of bounds: LIM-01, CSS-04, SMAX-01), up to the first threshold that one of them crosses. A
 ///    threshold shows as an alarm of `THRESHOLDS` in one of them (or as another alarm that both have at the
 ///    same line), as an element of a corner that has no length in one of them, as a chamfer of a thread that reaches the level of
-///    the cycle start in one of them only, or as a zero shift that is
+///    the cycle start in one of them only, as another number of pecks, passes or grooves in a block of a cycle (the property
+///    `cycles` says where that changes), or as a zero shift that is
 ///    zero in one of them at the reset.
 /// 2. **Distance.** Up to that place, and up to the first end point that is computed from an angle, from a
 ///    circle and one coordinate, or at a corner of any angle, every machine coordinate of the axis of that
@@ -121,8 +122,11 @@ fn same_shape(before: &[Event], after: &[Event]) -> Result<usize, String> {
         };
         let corner = events.iter().any(|event| cites(event, CORNERS));
         let compensated = events.iter().any(|event| cites(event, &[NRC_46])) || corners_differ(one, other);
-        let threshold =
-            corner || compensated || exits_differ(one, other) || events.iter().any(|event| known(event));
+        let threshold = corner
+            || compensated
+            || exits_differ(one, other)
+            || events.iter().any(|event| is_of_cycle(event))
+            || events.iter().any(|event| known(event));
         require(threshold, || format!("{one:?}\n{other:?}"))?;
         let line = one.block.line.min(other.block.line);
         return Ok(before.iter().take(index).take_while(|event| event.block.line < line).count());
@@ -148,7 +152,7 @@ fn shape(event: &Event) -> String {
         Action::Rapid { motion } => format!("rapid {:?} {:?}", motion.pass, motion.part),
         Action::Linear { motion, feed, .. } => format!("linear {feed:?} {:?} {:?}", motion.pass, motion.part),
         // The lead is that of the place where the motion begins.
-        Action::Thread { motion, axis, change, start, lead } => {
+        Action::Thread { motion, axis, change, start, lead, .. } => {
             let lead = if motion.part == Some(Part::Exit) { None } else { Some(lead) };
             format!("thread {:?} {:?} {axis:?} {change:?} {start:?} {lead:?}", motion.pass, motion.part)
         }
