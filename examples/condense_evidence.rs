@@ -79,7 +79,7 @@ fn condense(command: &Command) -> Result<String, Fault> {
         Command::Untried => {
             let tree = tree()?;
             let untried = match mutants::kept(&tree)? {
-                Some(run) => run.untried(&tree)?,
+                Some(run) => run.unfinished(&tree)?,
                 None => mutants::sources(&tree)?,
             };
             Ok(untried.join("\n"))

@@ -3,8 +3,8 @@
 # evidence/mutants.json. A first round runs the examples of the rule texts (.cargo/mutants-examples.toml), a second
 # one all tests on what survived (.cargo/mutants.toml). Tried are the sources that have changed since their
 # mutants were tried, two or three seconds a mutant; rm evidence/mutants.json tries all. Arguments go to
-# cargo-mutants (`--jobs 2`); with `--file` or `--re` among them only these mutants are tried, as after an example
-# that should catch a survivor. With OUTCOMES="FILE…" the outcomes of shards are added and nothing is run.
+# cargo-mutants (`--jobs 2`; `--shard 0/16 --sharding round-robin` for a sample, what is left is said); with `--file`
+# or `--re` among them only these mutants are tried, as after an example that should catch a survivor. With OUTCOMES="FILE…" the outcomes of shards are added and nothing is run.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 exec </dev/null

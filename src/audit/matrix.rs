@@ -43,8 +43,10 @@ pub struct Matrix {
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct MutantsRecord {
-    /// The sources of the oracle of which not every mutant has been tried in their present state.
+    /// The sources of the oracle of which no mutant has been tried in their present state.
     pub untried: Vec<String>,
+    /// How many mutants of the other ones are left to be tried.
+    pub left: usize,
 }
 
 /// Coverage of the sources by the tests.
@@ -159,7 +161,7 @@ impl Matrix {
             mutants: gathered
                 .mutants
                 .as_ref()
-                .map(|judged| MutantsRecord { untried: judged.untried.clone() }),
+                .map(|judged| MutantsRecord { untried: judged.untried.clone(), left: judged.left }),
             rules: rows(gathered),
         }
     }

@@ -23,8 +23,11 @@ const REASONS: &str = "evidence/survivors.toml";
 #[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Run {
-    /// The files of which every mutant has been tried, as they were then.
+    /// The files of which mutants have been tried, as they were then.
     pub state: State,
+    /// How many mutants of such a file are left to be tried, where any are.
+    #[serde(default)]
+    pub left: BTreeMap<String, usize>,
     /// Name and version of the tool.
     pub tool: String,
     /// The mutants, in the order of their names.
@@ -71,14 +74,26 @@ fn file_of(name: &str) -> &str {
 }
 
 impl Run {
-    /// The sources of the oracle of which not every mutant has been tried in their present state.
+    /// The sources of the oracle of which no mutant has been tried in their present state.
     ///
     /// # Errors
     /// When a source cannot be read.
     pub fn untried(&self, tree: &Tree) -> Result<Vec<String>, Fault> {
         let current = State::of(tree, &sources(tree)?)?;
-        let tried = |(file, digest): &(String, String)| self.state.sources.get(file) != Some(digest);
-        Ok(current.sources.into_iter().filter(tried).map(|(file, _)| file).collect())
+        let changed = |(file, digest): &(String, String)| self.state.sources.get(file) != Some(digest);
+        Ok(current.sources.into_iter().filter(changed).map(|(file, _)| file).collect())
+    }
+
+    /// The sources of the oracle of which not every mutant has been tried in their present state.
+    ///
+    /// # Errors
+    /// When a source cannot be read.
+    pub fn unfinished(&self, tree: &Tree) -> Result<Vec<String>, Fault> {
+        let mut sources = self.untried(tree)?;
+        sources.extend(self.left.keys().cloned());
+        sources.sort();
+        sources.dedup();
+        Ok(sources)
     }
 
     /// As JSON, a line a mutant.
@@ -88,8 +103,9 @@ impl Run {
     pub fn json(&self) -> Result<String, serde_json::Error> {
         let mutants = self.mutants.iter().map(serde_json::to_string).collect::<Result<Vec<_>, _>>()?;
         Ok(format!(
-            "{{\n\"state\": {},\n\"tool\": {},\n\"mutants\": [\n{}\n]\n}}",
+            "{{\n\"state\": {},\n\"left\": {},\n\"tool\": {},\n\"mutants\": [\n{}\n]\n}}",
             serde_json::to_string_pretty(&self.state)?,
+            serde_json::to_string_pretty(&self.left)?,
             serde_json::to_string(&self.tool)?,
             mutants.join(",\n")
         ))
@@ -101,8 +117,10 @@ impl Run {
 pub struct Judged {
     /// The run, without the mutants of files that have changed since.
     pub run: Run,
-    /// The sources of the oracle of which not every mutant has been tried in their present state.
+    /// The sources of the oracle of which no mutant has been tried in their present state.
     pub untried: Vec<String>,
+    /// How many mutants of the other ones are left to be tried.
+    pub left: usize,
     /// Why a survivor changes nothing that a program could observe, by its name.
     pub reasons: BTreeMap<String, String>,
     /// Reasons for mutants of tried sources that did not survive, or are not there.
@@ -157,17 +175,22 @@ pub fn read(tree: &Tree) -> Result<Option<Judged>, Fault> {
     let Some(mut run) = kept(tree)? else { return Ok(None) };
     let untried = run.untried(tree)?;
     run.mutants.retain(|mutant| !untried.iter().any(|file| file == mutant.file()));
+    run.left.retain(|file, _| !untried.contains(file));
     let text = tree.read_if_there(REASONS)?.unwrap_or_default();
     let reasons: Reasons = toml::from_str(&text).map_err(|error| Fault::about(REASONS, error))?;
     let survived = |name: &str| {
         run.mutants.iter().any(|mutant| mutant.name == name && mutant.outcome == Outcome::Missed)
     };
-    let judged = reasons
-        .survivor
-        .into_iter()
-        .filter(|reason| !untried.iter().any(|file| file == file_of(&reason.mutant)));
+    // Of a source with mutants left a reason may be that of one of them.
+    let unjudged = |name: &str| {
+        let file = file_of(name);
+        let tried = run.mutants.iter().any(|mutant| mutant.name == name);
+        untried.iter().any(|other| other == file) || (run.left.contains_key(file) && !tried)
+    };
+    let judged = reasons.survivor.into_iter().filter(|reason| !unjudged(&reason.mutant));
     let (reasons, idle): (Vec<_>, Vec<_>) = judged.partition(|reason| survived(&reason.mutant));
     Ok(Some(Judged {
+        left: run.left.values().sum(),
         run,
         untried,
         reasons: reasons.into_iter().map(|each| (each.mutant, each.reason)).collect(),
@@ -186,8 +209,8 @@ pub fn sources(tree: &Tree) -> Result<Vec<String>, Fault> {
 }
 
 /// Adds the outcomes of one or several runs of cargo-mutants on the present sources, such as the shards of one, to what
-/// is kept. `state` is that of [`sources`], `list` what `cargo mutants --list --json` says. Kept is what belongs to a file of
-/// which every mutant of the list has an outcome.
+/// is kept. `state` is that of [`sources`], `list` what `cargo mutants --list --json` says. Kept is what belongs to the mutants
+/// of the list, of files that have not changed since.
 ///
 /// # Errors
 /// Names the first thing that is not as cargo-mutants writes it.
@@ -217,14 +240,21 @@ pub fn condense(kept: Option<Run>, outcomes: &[String], list: &str, mut state: S
         }
     }
     let listed: Vec<Listed> = serde_json::from_str(list).map_err(|error| Fault::about("list", error))?;
-    let untried: BTreeSet<&str> =
-        listed.iter().filter(|each| !known.contains_key(&each.name)).map(|each| each.file.as_str()).collect();
-    state.sources.retain(|file, _| !untried.contains(file.as_str()));
-    let mutants = listed.iter().filter(|each| state.sources.contains_key(&each.file));
-    let mut mutants: Vec<Mutant> = mutants.filter_map(|each| known.get(&each.name).cloned()).collect();
-    mutants.sort();
-    mutants.dedup();
-    Ok(Run { state, tool: version, mutants })
+    let mut names: BTreeMap<&str, BTreeSet<&str>> = BTreeMap::new();
+    for each in &listed {
+        names.entry(&each.file).or_default().insert(&each.name);
+    }
+    let mut left = BTreeMap::new();
+    for (file, names) in &names {
+        match names.iter().filter(|name| !known.contains_key(**name)).count() {
+            0 => {}
+            count if count == names.len() => _ = state.sources.remove(*file),
+            count => _ = left.insert((*file).to_owned(), count),
+        }
+    }
+    let listed: BTreeSet<&str> = names.values().flatten().copied().collect();
+    let mutants = known.into_values().filter(|mutant| listed.contains(mutant.name.as_str())).collect();
+    Ok(Run { state, left, tool: version, mutants })
 }
 
 /// A mutant as cargo-mutants lists it.
@@ -323,21 +353,29 @@ mod tests {
     fn outcomes_are_added_to_those_of_unchanged_files() {
         let kept = Run {
             state: state(&[("a.rs", "1"), ("b.rs", "1"), ("c.rs", "1")]),
+            left: [("c.rs".to_owned(), 2)].into(),
             tool: "cargo-mutants 27".to_owned(),
             mutants: ["a.rs:1", "a.rs:2", "b.rs:1", "c.rs:1"]
                 .map(|name| mutant(name, Outcome::Missed))
                 .to_vec(),
         };
-        // b.rs has changed; c.rs has a mutant that was never tried; the second mutant of a.rs is tried again.
+        // b.rs has changed; c.rs has a mutant that was never tried; the second mutant of a.rs is tried again;
+        // d.rs has no mutants, none of e.rs was tried.
         let text = outcomes(&[("a.rs:2", "CaughtMutant"), ("b.rs:1", "CaughtMutant")]);
-        let all = list(&["a.rs:1", "a.rs:2", "b.rs:1", "c.rs:1", "c.rs:2"]);
-        let now = state(&[("a.rs", "1"), ("b.rs", "2"), ("c.rs", "1"), ("d.rs", "1")]);
+        let all = list(&["a.rs:1", "a.rs:2", "b.rs:1", "c.rs:1", "c.rs:2", "e.rs:1"]);
+        let now = state(&[("a.rs", "1"), ("b.rs", "2"), ("c.rs", "1"), ("d.rs", "1"), ("e.rs", "1")]);
         let run = condense(Some(kept), &[text], &all, now).expect("outcomes");
         assert_eq!(
             names(&run),
-            [("a.rs:1", Outcome::Missed), ("a.rs:2", Outcome::Caught), ("b.rs:1", Outcome::Caught)]
+            [
+                ("a.rs:1", Outcome::Missed),
+                ("a.rs:2", Outcome::Caught),
+                ("b.rs:1", Outcome::Caught),
+                ("c.rs:1", Outcome::Missed),
+            ]
         );
-        assert_eq!(run.state, state(&[("a.rs", "1"), ("b.rs", "2"), ("d.rs", "1")]));
+        assert_eq!(run.state, state(&[("a.rs", "1"), ("b.rs", "2"), ("c.rs", "1"), ("d.rs", "1")]));
+        assert_eq!(run.left, [("c.rs".to_owned(), 1)].into());
     }
 
     fn mutant(name: &str, outcome: Outcome) -> Mutant {

@@ -26,6 +26,9 @@ pub fn section(gathered: &Gathered, matrix: &Matrix) -> Markup {
                 @if !mutants.untried.is_empty() {
                     p.note { "The mutants of " (mutants.untried.len()) " sources have not been tried in their present state." }
                 }
+                @if mutants.left > 0 {
+                    p.note { (mutants.left) " mutants of the other sources are left to be tried." }
+                }
             }
             (toolbar(gathered))
             div.head aria-hidden="true" {
