@@ -3,7 +3,7 @@
 //! (`scripts/install-rs274.sh`).
 //!
 //! `cargo bench --bench throughput` prints a table; a number after `--` is the number of blocks. A block of a thread cycle
-//! or of pecks makes many motions, so that its rows count these.
+//! of pecks or of LAP makes many motions, so that its rows count these.
 
 use std::error::Error;
 use std::fmt::Write as _;
@@ -50,9 +50,8 @@ fn main() -> Result<(), Box<dyn Error>> {
         row(&mut out, long, "engine", || engine(long))?;
         row(&mut out, short, "oracle", || oracle(short))?;
     }
-    let cycles: Vec<Workload> = threads(blocks)?.into_iter().chain(bores(blocks)?).collect();
-    let fewer = blocks / ORACLE_SHARE;
-    for (long, short) in cycles.iter().zip(threads(fewer)?.iter().chain(&bores(fewer)?)) {
+    let cycles = cycles(blocks)?;
+    for (long, short) in cycles.iter().zip(&self::cycles(blocks / ORACLE_SHARE)?) {
         row(&mut out, long, "engine", || engine(long))?;
         row(&mut out, long, "engine, trace as JSON", || engine_with_json(long))?;
         row(&mut out, short, "oracle", || oracle(short))?;
@@ -84,6 +83,11 @@ fn loops(blocks: usize) -> [Workload; 2] {
         of("loop with IF and variables", counting_loop(blocks)),
         of("nested CALL and RTS", nested_calls(blocks * 3 / 11)),
     ]
+}
+
+/// Programs of cycles, counted by their motions.
+fn cycles(motions: usize) -> Result<Vec<Workload>, Box<dyn Error>> {
+    Ok(threads(motions)?.into_iter().chain(bores(motions)?).chain(laps(motions)?).collect())
 }
 
 /// Thread cycles of many passes, counted by their motions, about so many: plain ones; depths that are roots, by turns on
@@ -121,14 +125,63 @@ fn motions_of(
     times: usize,
 ) -> Result<Workload, Box<dyn Error>> {
     let text = format!("{start}\n{}{end}M02\n", format!("{body}\n").repeat(times));
-    let (text, setup) = (text.into_bytes(), Setup::default());
-    let mut blocks = 0;
-    ended(turnspec::engine::run(&text, &setup, &mut |event: &Event| {
-        let moves =
-            matches!(event.action, Action::Rapid { .. } | Action::Linear { .. } | Action::Thread { .. });
+    counted(name, text, Setup::default())
+}
+
+/// A program by the number of its motions.
+fn counted(name: &'static str, text: String, setup: Setup) -> Result<Workload, Box<dyn Error>> {
+    let (text, mut blocks) = (text.into_bytes(), 0);
+    let ending = turnspec::engine::run(&text, &setup, &mut |event: &Event| {
+        let moves = matches!(
+            event.action,
+            Action::Rapid { .. } | Action::Linear { .. } | Action::Arc { .. } | Action::Thread { .. }
+        );
         blocks += usize::from(moves);
-    }))?;
+    });
+    ended(ending).map_err(|error| format!("{name}: {error}"))?;
     Ok(Workload { name, text, setup, blocks })
+}
+
+/// LAP, counted by its motions, about so many: bars cut along contours of 100 elements in modes I, IV and V; and one
+/// contour of 10 000 elements, whatever the number.
+fn laps(motions: usize) -> Result<[Workload; 4], Box<dyn Error>> {
+    let calls =
+        |name, level, blank, call: &str, each| lap(name, level, blank, 100, call, motions.div_ceil(each));
+    Ok([
+        calls("motions of LAP, mode I", 1, false, "G85 NAT1 D0.5 U0.4 W0.2 F0.3", 900)?,
+        calls("motions of LAP, mode IV", 4, true, "G85 NAT1 D0.5 U0.4 W0.2 F0.3", 714)?,
+        calls("motions of LAP, mode V", 5, true, "G86 NAT1 D0.5 U0.4 W0.2 F0.3", 869)?,
+        lap("motions of LAP, 10 000 elements", 1, false, 10_000, "G85 NAT1 D2 U0.4 W0.2 F0.3", 1)?,
+    ])
+}
+
+/// A cone from Ø20 to Ø80 of so many elements, every fourth an arc, which is cut from a bar that many times.
+fn lap(
+    name: &'static str,
+    level: u8,
+    blank: bool,
+    elements: usize,
+    call: &str,
+    times: usize,
+) -> Result<Workload, Box<dyn Error>> {
+    let mut text = String::from("G00 X90 Z105 F0.3\n");
+    for _ in 0..times {
+        writeln!(text, "{call}\nG00 X90 Z105")?;
+    }
+    text.push_str("M02\nNAT1 ");
+    if blank {
+        text.push_str("G83\nG01 X20 Z102\nX84\nZ0\n");
+    }
+    text.push_str("G81\nG00 X20 Z102\nG01 Z100\n");
+    for element in 1..=elements {
+        let share = element as f64 / elements as f64;
+        let (code, radius) = if element % 4 == 0 { ("G03", " L50") } else { ("G01", "") };
+        writeln!(text, "{code} X{:.3} Z{:.3}{radius}", 20.0 + 60.0 * share, 100.0 - 100.0 * share)?;
+    }
+    text.push_str("G80\n");
+    let mut setup = Setup::default();
+    setup.options.lap = level;
+    counted(name, text, setup)
 }
 
 /// How often the engine needed exact integers because `f64` left a rounding or a sign in doubt.

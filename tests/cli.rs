@@ -454,6 +454,21 @@ fn plot_draws_what_the_run_does() {
     assert!(!page.contains("http://") || page.matches("http://").count() == 1, "nothing from elsewhere");
 }
 
+/// Contour and blank of a LAP call, also where the call is refused: here for want of room for the allowance.
+#[test]
+fn plot_draws_what_lap_was_told_to_cut() {
+    let program = "NAT1 G83\nG01 X40 Z22\nX62\nZ0\nG81\nG00 X40 Z22\nG01 Z10 F0.2\nG02 X60 Z0 I10\nG80\nG00 X62 Z22\n\
+                   G85 NAT1 D8 U0.2 F0.3\nG85 NAT1 D8 U30 F0.3\nM02\n";
+    let folder = Folder::new("plot_lap", &[("a.min", program), ("a.toml", "[options]\nlap = 4\n")]);
+    let outcome = turnspec(&["plot", &folder.path("a.min"), "--setup", &folder.path("a.toml")]);
+    assert_eq!(outcome.status, 1);
+    assert!(outcome.stderr.contains("lap_allowance"), "{}", outcome.stderr);
+    let drawn = |class: &str| outcome.stdout.matches(&format!("<path class=\"{class}\" d=\"M")).count();
+    // One of each, and the sample in the legend.
+    assert_eq!((drawn("contour"), drawn("blank")), (2, 2), "{}", outcome.stdout);
+    assert!(outcome.stdout.contains("class=\"linear pass p1\""), "{}", outcome.stdout);
+}
+
 /// The path up to the alarm, the alarm on standard error, status 1; files that cannot be written, status 2.
 #[test]
 fn plot_draws_up_to_an_alarm() {

@@ -43,4 +43,4 @@ mod turret;
 pub mod vocabulary;
 
 pub use check::{Diagnostic, check};
-pub use run::{ActiveMode, ActiveProgram, LocalVariable, Run, run};
+pub use run::{ActiveMode, ActiveProgram, LocalVariable, Outline, OutlineMotion, Run, run};

@@ -8,6 +8,7 @@ mod channel;
 mod definition;
 mod lap;
 mod meeting;
+mod outline;
 mod passes;
 mod portions;
 mod programs;
@@ -19,6 +20,7 @@ mod statement;
 mod texts;
 mod view;
 
+pub use outline::{Outline, OutlineMotion};
 pub use programs::{Program, Programs};
 pub use texts::{Read, Spot, Texts};
 pub use view::{ActiveMode, ActiveProgram, LocalVariable};

@@ -22,7 +22,7 @@ use super::{ColorChoice, Failure, Verdict, exit_status, setup_help};
 ///
 /// The drawing is an SVG file; with --html it is a page that needs nothing else, in which each motion shows its block,
 /// its event and its rules. In nose radius compensation it is the path of the tip, with the programmed contour beside
-/// it. The passes of a cycle take six colours in turn. At an alarm the path up to there is drawn. The reference implementation runs.
+/// it; of LAP the programmed contour and the blank are drawn. The passes of a cycle take six colours in turn. At an alarm the path up to there is drawn. The reference implementation runs.
 #[derive(clap::Args)]
 #[command(after_help = concat!(
     "Examples:\n  turnspec plot shaft.min -o shaft.svg\n  turnspec plot shaft.min --html -o shaft.html\n  \
@@ -61,18 +61,27 @@ pub fn carry_out(arguments: &Arguments, color: ColorChoice) -> Result<Verdict, F
     let book = Book::open()?;
     let (mut plan, mut told, mut alarm) = (Plan::new(&setup), Vec::new(), None);
     let mut run = Run::new(&program.text, &setup);
-    let mut event = |event: &Event| {
-        let drawn = plan.segments.len();
-        plan.event(event);
-        if arguments.html && plan.segments.len() > drawn {
-            told.push(tell(event, &sources, &book));
+    let mut outlined = 0;
+    loop {
+        let ended = Machine::step(&mut run, &mut |event: &Event| {
+            let drawn = plan.segments.len();
+            plan.event(event);
+            if arguments.html && plan.segments.len() > drawn {
+                told.push(tell(event, &sources, &book));
+            }
+            if let Action::Alarm(each) = event.action {
+                alarm = Some((each, *event));
+            }
+            sources.follow(event);
+        });
+        if let Some(outline) = run.outline().filter(|outline| outline.number > outlined) {
+            outlined = outline.number;
+            plan.definition(outline);
         }
-        if let Action::Alarm(each) = event.action {
-            alarm = Some((each, *event));
+        if ended.is_some() {
+            break;
         }
-        sources.follow(event);
-    };
-    while Machine::step(&mut run, &mut event).is_none() {}
+    }
     let extent = match arguments.extent {
         Fit::All => Extent::All,
         Fit::Cutting => Extent::Cutting,

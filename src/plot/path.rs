@@ -1,8 +1,11 @@
 //! From a trace to what is drawn of it: the motions of the tool, one after the other.
 
 use turnspec_conformance::geometry::{Arc, Point, Way};
+use turnspec_oracle::Outline;
 use turnspec_oracle::integer::area::{Bounds, chuck, tailstock};
 use turnspec_oracle::vocabulary::{Action, Event, Length, Motion, Sense, Setup, Side};
+
+use super::outline::Definition;
 
 /// What a motion is, for the eye.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -55,10 +58,14 @@ pub struct Plan {
     pub segments: Vec<Segment>,
     /// Where the run ended in an alarm.
     pub alarm: Option<Point>,
+    /// What calls of LAP were told to cut; what the call before was told, too, is not repeated.
+    pub definitions: Vec<Definition>,
     /// The areas of chuck and tailstock that the set-up describes: two opposite corners each.
     pub barriers: Vec<(Point, Point)>,
     /// Whether motions were left out because there were too many.
     pub cut: bool,
+    /// How many ways the definitions have.
+    defined: usize,
     /// Where the tools of saddle A and of saddle B stand in machine coordinates; without a second saddle the first.
     machine: [Point; 2],
     /// Where they would stand without compensation.
@@ -102,6 +109,16 @@ impl Plan {
             Action::ContourArc { motion, .. } => self.motion(event, Kind::Arc, motion, None),
             Action::Alarm(_) => self.alarm = Some(self.present),
             _ => {}
+        }
+    }
+
+    /// Takes the definition that a call of LAP has read.
+    pub fn definition(&mut self, outline: &Outline) {
+        let definition = Definition::of(outline, Self::MOST - self.defined);
+        if self.definitions.last() != Some(&definition) {
+            self.defined += definition.ways().count();
+            self.cut |= self.defined == Self::MOST;
+            self.definitions.push(definition);
         }
     }
 

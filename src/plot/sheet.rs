@@ -2,16 +2,17 @@
 
 use maud::{Markup, PreEscaped, html};
 
-use turnspec_conformance::geometry::Point;
+use turnspec_conformance::geometry::{Point, Way};
 
 use super::axes::axes;
-use super::path::{Kind, Plan, Segment};
+use super::legend::Legend;
+use super::path::{Plan, Segment};
 use super::view::{Extent, View, WIDTH, number};
 
 /// The look of a sheet.
 const STYLE: &str = include_str!("style.css");
 /// How many colours the passes of a cycle take in turn.
-const HUES: u32 = 6;
+pub const HUES: u32 = 6;
 /// Room for titles and numbers beside the plot in pixels: left, above, right, below.
 const MARGIN: [f64; 4] = [76.0, 56.0, 24.0, 84.0];
 
@@ -26,7 +27,8 @@ pub fn svg(title: &str, plan: &Plan, extent: Extent) -> String {
 pub fn sheet(title: &str, plan: &Plan, extent: Extent, alone: bool) -> Markup {
     let view = View::of(plan, extent);
     let [left, above, right, below] = MARGIN;
-    let (width, height) = (WIDTH + left + right, view.height() + above + below);
+    let legend = Legend::of(plan);
+    let (width, height) = (WIDTH + left + right, view.height() + above + below + legend.more_rows());
     html! {
         svg xmlns="http://www.w3.org/2000/svg" width=(number(width)) height=(number(height))
             viewBox={ "0 0 " (number(width)) " " (number(height)) } role="img" aria-label=(title) {
@@ -40,7 +42,7 @@ pub fn sheet(title: &str, plan: &Plan, extent: Extent, alone: bool) -> Markup {
             g transform={ "translate(" (number(left)) " " (number(above)) ")" } {
                 (axes(&view))
                 g clip-path="url(#plot)" { (plot(&view, plan)) }
-                (legend(plan, view.height() + 56.0))
+                (legend.at(view.height() + 56.0))
             }
         }
     }
@@ -53,6 +55,10 @@ fn plot(view: &View, plan: &Plan) -> Markup {
             @let ((right, down), (width, height)) = rectangle(view, *one, *other);
             rect.barrier x=(number(right)) y=(number(down)) width=(number(width)) height=(number(height)) {}
         }
+        }
+        @for definition in &plan.definitions {
+            path.blank d=(chain(view, &definition.blank)) {}
+            path.contour d=(chain(view, &definition.contour)) {}
         }
         @for segment in &plan.segments {
             @if let Some(way) = &segment.programmed { path.contour d=(view.data(way)) {} }
@@ -67,6 +73,11 @@ fn plot(view: &View, plan: &Plan) -> Markup {
     }
 }
 
+/// Path data of ways, each of which begins where the one before ends.
+fn chain(view: &View, ways: &[Way]) -> String {
+    ways.iter().map(|way| view.data(way)).collect()
+}
+
 /// A motion, with the number of its event.
 fn motion(view: &View, segment: &Segment) -> Markup {
     let class = match segment.pass {
@@ -74,17 +85,6 @@ fn motion(view: &View, segment: &Segment) -> Markup {
         None => segment.kind.name().to_owned(),
     };
     html! { path class=(class) data-n=(segment.n) d=(view.data(&segment.way)) {} }
-}
-
-/// A sample of the colours that passes take in turn.
-fn hues() -> Markup {
-    html! {
-        g {
-            @for hue in 0..HUES {
-                path class=(format!("pass p{hue}")) d=(format!("M{} 0h5", 5 * hue)) {}
-            }
-        }
-    }
 }
 
 fn dot(view: &View, class: &str, point: Point) -> Markup {
@@ -97,42 +97,6 @@ fn rectangle(view: &View, one: Point, other: Point) -> ((f64, f64), (f64, f64)) 
     let (first, second) = (view.place(one), view.place(other));
     let corner = (first.0.min(second.0), first.1.min(second.1));
     (corner, ((first.0 - second.0).abs(), (first.1 - second.1).abs()))
-}
-
-/// What the lines and marks of this sheet mean.
-fn legend(plan: &Plan, y: f64) -> Markup {
-    let has = |kind: Kind| plan.segments.iter().any(|segment| segment.kind == kind && segment.pass.is_none());
-    let kinds = Kind::ALL.into_iter().filter(|kind| has(*kind)).map(|kind| (kind.name(), kind.name()));
-    let contour = plan.segments.iter().any(|segment| segment.programmed.is_some());
-    let passes = plan.segments.iter().any(|segment| segment.pass.is_some());
-    let lines = kinds.chain(contour.then_some(("contour", "programmed"))).map(|(class, name)| {
-        let sample = html! { path class=(class) d="M0 0h28" {} };
-        (sample, name)
-    });
-    let barrier = html! { g.barriers { rect.barrier width="28" height="12" y="-6" {} } };
-    let start = html! { circle.start r="4" cx="14" {} };
-    let finish = html! { circle.finish r="4" cx="14" {} };
-    let alarm = html! { path.alarm d="M8 -6l12 12m0 -12l-12 12" {} };
-    let marks = [
-        (passes, hues(), "passes"),
-        (!plan.barriers.is_empty(), barrier, "barrier"),
-        (!plan.segments.is_empty(), start, "start"),
-        (!plan.segments.is_empty(), finish, "end"),
-        (plan.alarm.is_some(), alarm, "alarm"),
-    ];
-    let entries: Vec<_> = lines
-        .chain(marks.into_iter().filter(|mark| mark.0).map(|(_, sample, name)| (sample, name)))
-        .collect();
-    html! {
-        g.legend {
-            @for (place, (sample, name)) in entries.iter().enumerate() {
-                g transform={ "translate(" (number(place as f64 * 134.0)) " " (number(y)) ")" } {
-                    (sample)
-                    text x="36" dy=".35em" { (name) }
-                }
-            }
-        }
-    }
 }
 
 #[cfg(test)]

@@ -2,6 +2,7 @@
 
 use turnspec_conformance::geometry::{self, Point, Way};
 
+use super::outline::Definition;
 use super::path::{Kind, Plan};
 
 /// Width of the plot in pixels.
@@ -75,7 +76,8 @@ fn bounds(plan: &Plan, extent: Extent) -> (Point, Point) {
     let wanted =
         plan.segments.iter().filter(|segment| extent == Extent::All || !cuts || segment.kind != Kind::Rapid);
     let ways = wanted.flat_map(|segment| [Some(segment.way), segment.programmed]).flatten();
-    let points = ways.flat_map(|way| outline(&way)).chain(plan.alarm);
+    let defined = plan.definitions.iter().flat_map(Definition::ways).copied();
+    let points = ways.chain(defined).flat_map(|way| outline(&way)).chain(plan.alarm);
     let barriers = plan.barriers.iter().filter(|_| extent == Extent::All).flat_map(|area| [area.0, area.1]);
     let mut corners: Option<(Point, Point)> = None;
     for point in points.chain(barriers) {

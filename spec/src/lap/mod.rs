@@ -37,7 +37,7 @@ pub use check::{
 };
 pub use contents::{refuse_assignments, refuse_words};
 pub use kept::{Definition, Kept, Mark, Purpose, begin_motion, place, store_feeds};
-pub use recording::Recording;
+pub use recording::{Kind as Way, Recorded, Recording};
 
 use crate::emission::Emission;
 use crate::fault::Outcome;

@@ -1,6 +1,7 @@
 //! A channel: a program that is carried out block by block, with the state of the machine, or of the saddle, that it moves.
 
 use super::lap::Lap;
+use super::outline::Outline;
 use super::passes::{Cycle, Passes};
 use super::reading::{self, Block, Content, Reader};
 use super::statement::Carried;
@@ -34,6 +35,8 @@ pub struct Channel<'a> {
     pub(super) passing: Option<Place>,
     /// A call of LAP that is carried out.
     pub(super) lap: Option<Box<Lap<'a>>>,
+    /// The definition that the last call of LAP has read.
+    pub(super) outline: Option<Box<Outline>>,
     pub(super) setup: &'a Setup,
 }
 
@@ -55,7 +58,8 @@ impl<'a> Channel<'a> {
         let reader = Reader::new(texts, setup);
         let calls = Calls::new(start);
         let compensation = Compensation::Off;
-        Self { reader, calls, state, compensation, schedule, cycle: None, passing: None, lap: None, setup }
+        let (cycle, passing, lap, outline) = (None, None, None, None);
+        Self { reader, calls, state, compensation, schedule, cycle, passing, lap, outline, setup }
     }
 
     /// Carries out one block, or the next pass of a cycle: the events that are decided then, in order, each with its

@@ -2,6 +2,7 @@
 
 use super::Progress;
 use super::channel::Channel;
+use super::outline::Outline;
 use super::reading::{Block, Content};
 use super::statement::Carried;
 use crate::barrier::Watch;
@@ -164,6 +165,8 @@ impl<'a> Channel<'a> {
         self.forget_reading(lap, true);
         *place = lap.block.place;
         let recording = std::mem::take(&mut lap.recording);
+        let number = self.outline.as_ref().map_or(1, |last| last.number.saturating_add(1));
+        self.outline = Some(Box::new(Outline::of(number, &recording)));
         let mut cycle = Cycle::begin(&lap.call, recording, lap.feed, &self.state)?;
         let mut stream = self.compensation.stream(lap.block.place, self.state.side(), decided);
         let left = cycle.pass(&mut self.state, &mut stream.emissions);
