@@ -126,11 +126,14 @@ impl Builder<'_, '_, '_> {
         };
         items.push(Item::g(84));
         let second = self.choices.chance(50);
-        for (names, tenths, wanted) in [(a, 7, true), (b, 3, second)] {
+        // Often on levels of passes.
+        let on_level = self.choices.chance(50);
+        for (names, tenths, passes, wanted) in [(a, 7, 1, true), (b, 3, 3, second)] {
             if !wanted {
                 continue;
             }
-            items.push(self.length(names[0], place.level(place.start[0] * tenths / 10)).0);
+            let height = if on_level { place.start[0] - passes * step } else { place.start[0] * tenths / 10 };
+            items.push(self.length(names[0], place.level(height)).0);
             if self.choices.chance(60) {
                 let other = self.choices.pick(&[step / 2, step * 2, step * 3 / 4]);
                 items.push(self.length(names[1], other.max(100_000)).0);
