@@ -3,7 +3,7 @@
 //! (`scripts/install-rs274.sh`).
 //!
 //! `cargo bench --bench throughput` prints a table; a number after `--` is the number of blocks. A block of a thread cycle
-//! makes many motions, so that its rows count these.
+//! or of pecks makes many motions, so that its rows count these.
 
 use std::error::Error;
 use std::fmt::Write as _;
@@ -50,8 +50,9 @@ fn main() -> Result<(), Box<dyn Error>> {
         row(&mut out, long, "engine", || engine(long))?;
         row(&mut out, short, "oracle", || oracle(short))?;
     }
-    let cycles = threads(blocks)?;
-    for (long, short) in cycles.iter().zip(&threads(blocks / ORACLE_SHARE)?) {
+    let cycles: Vec<Workload> = threads(blocks)?.into_iter().chain(bores(blocks)?).collect();
+    let fewer = blocks / ORACLE_SHARE;
+    for (long, short) in cycles.iter().zip(threads(fewer)?.iter().chain(&bores(fewer)?)) {
         row(&mut out, long, "engine", || engine(long))?;
         row(&mut out, long, "engine, trace as JSON", || engine_with_json(long))?;
         row(&mut out, short, "oracle", || oracle(short))?;
@@ -95,18 +96,39 @@ fn threads(motions: usize) -> Result<[Workload; 3], Box<dyn Error>> {
     // 50 passes with a chamfer each, on the face.
     let tapers =
         ("motions of face threads, taper and chamfer", "G72 X10 Z20 A91 D0.2 H10 E0.01 L2 M74 M23", 250);
-    let load = |(name, cycle, each): (&'static str, &str, usize)| -> Result<Workload, Box<dyn Error>> {
-        let text = format!("{start}\n{}M02\n", format!("{cycle}\n").repeat(motions.div_ceil(each)));
-        let (text, setup) = (text.into_bytes(), Setup::default());
-        let mut blocks = 0;
-        ended(turnspec::engine::run(&text, &setup, &mut |event: &Event| {
-            let moves =
-                matches!(event.action, Action::Rapid { .. } | Action::Linear { .. } | Action::Thread { .. });
-            blocks += usize::from(moves);
-        }))?;
-        Ok(Workload { name, text, setup, blocks })
-    };
+    let load = |(name, cycle, each)| motions_of(name, start, cycle, "", motions.div_ceil(each));
     Ok([load(steps)?, load(roots)?, load(tapers)?])
+}
+
+/// Grooves and holes in pecks, counted by their motions, about so many: five grooves of 18 pecks a block, and a hole of 20
+/// pecks a block.
+fn bores(motions: usize) -> Result<[Workload; 2], Box<dyn Error>> {
+    let grooves = ("motions of grooves", "G73 X40 Z40 I2 K5 D1", 195);
+    let holes = ("motions of holes of driven tools", "C90\nC180", 82);
+    let driven = "M110\nM146\nG94 F100 SB=400\nG00 X60 Z60\nG183 K2 R-20 D1 C0";
+    Ok([
+        motions_of(grooves.0, "G00 X60 Z60 F0.2", grooves.1, "", motions.div_ceil(grooves.2))?,
+        motions_of(holes.0, driven, holes.1, "G180\nX60 Z60\n", motions.div_ceil(holes.2))?,
+    ])
+}
+
+/// A program of blocks that are repeated between a beginning and an end, by the number of its motions.
+fn motions_of(
+    name: &'static str,
+    start: &str,
+    body: &str,
+    end: &str,
+    times: usize,
+) -> Result<Workload, Box<dyn Error>> {
+    let text = format!("{start}\n{}{end}M02\n", format!("{body}\n").repeat(times));
+    let (text, setup) = (text.into_bytes(), Setup::default());
+    let mut blocks = 0;
+    ended(turnspec::engine::run(&text, &setup, &mut |event: &Event| {
+        let moves =
+            matches!(event.action, Action::Rapid { .. } | Action::Linear { .. } | Action::Thread { .. });
+        blocks += usize::from(moves);
+    }))?;
+    Ok(Workload { name, text, setup, blocks })
 }
 
 /// How often the engine needed exact integers because `f64` left a rounding or a sign in doubt.

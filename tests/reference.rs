@@ -1,4 +1,4 @@
-//! Nose radius compensation and thread cutting against the implementations in Python that were written from the rule
+//! Nose radius compensation, thread cutting and LAP in mode I against the implementations in Python that were written from the rule
 //! text alone (`conformance/reference`): examples of the rules, conformance cases, random contours and cycles. Where
 //! Python 3.11 is not, the tests say so and pass.
 
@@ -11,6 +11,7 @@ const TURNSPEC: &str = env!("CARGO_BIN_EXE_turnspec");
 const ROOT: &str = env!("CARGO_MANIFEST_DIR");
 const COMPENSATION: &str = "compensation.py";
 const THREADS: &str = "threads.py";
+const LAP: &str = "lap.py";
 /// The chapters whose examples are computed, with the fewest examples that have to lie within the subset.
 const CHAPTERS_OF_COMPENSATION: [(&str, usize); 11] = [
     ("compensation", 38),
@@ -32,6 +33,9 @@ const CHAPTERS_OF_THREADS: [(&str, usize); 5] = [
     ("thread-cycles", 34),
     ("thread-infeed", 26),
 ];
+
+const CHAPTERS_OF_LAP: [(&str, usize); 4] =
+    [("lap-contours", 6), ("lap-common", 14), ("lap-calls", 7), ("lap-bar-turning", 19)];
 
 /// The command of a Python that knows TOML, that is 3.11 or later.
 fn python() -> Option<&'static str> {
@@ -80,6 +84,11 @@ fn examples_of_threads_agree() {
     examples_agree(THREADS, &CHAPTERS_OF_THREADS);
 }
 
+#[test]
+fn examples_of_lap_agree() {
+    examples_agree(LAP, &CHAPTERS_OF_LAP);
+}
+
 fn examples_agree(script: &str, chapters: &[(&str, usize)]) {
     let Some(python) = python() else { return };
     let paths = chapters.iter().map(|(chapter, _)| format!("spec/rules/e100l/{chapter}.md"));
@@ -94,21 +103,22 @@ fn examples_agree(script: &str, chapters: &[(&str, usize)]) {
 
 #[test]
 fn cases_agree_and_those_of_compensation_are_all_computed() {
-    cases_agree(COMPENSATION, "s6-");
+    cases_agree(COMPENSATION, &["s6-"]);
 }
 
 #[test]
 fn cases_agree_and_those_of_threads_are_all_computed() {
-    cases_agree(THREADS, "s7-");
+    cases_agree(THREADS, &["s7-g3", "s7-g71", "s7-g72"]);
 }
 
-/// `section`: the beginning of the names of the cases that lie within the subset.
-fn cases_agree(script: &str, section: &str) {
+/// `sections`: the beginnings of the names of the cases that lie within the subset.
+fn cases_agree(script: &str, sections: &[&str]) {
     let Some(python) = python() else { return };
     let entries = fs::read_dir(format!("{ROOT}/conformance/cases/e100l")).unwrap();
     let names = entries.map(|entry| entry.unwrap().file_name().into_string().unwrap());
-    let (own, others): (Vec<String>, Vec<String>) =
-        names.filter(|name| name.ends_with(".json")).partition(|name| name.starts_with(section));
+    let (own, others): (Vec<String>, Vec<String>) = names
+        .filter(|name| name.ends_with(".json"))
+        .partition(|name| sections.iter().any(|section| name.starts_with(section)));
     let arguments = |names: &[String]| -> Vec<String> {
         let paths = names.iter().map(|name| format!("conformance/cases/e100l/{name}"));
         ["--cases".to_owned()].into_iter().chain(paths).collect()
@@ -137,6 +147,15 @@ fn random_cycles_agree_with_engine_and_oracle() {
         let count =
             stdout.split_once(&format!("{rule} ")).and_then(|(_, rest)| rest.split([',', '\n']).next());
         assert!(count.and_then(|count| count.parse::<u32>().ok()) > Some(5), "{rule}: {stdout}");
+    }
+}
+
+#[test]
+fn random_contours_of_lap_agree_with_engine_and_oracle() {
+    let Some(stdout) = random_programs_agree(LAP, "contour") else { return };
+    // Recesses, the way out of them, change points and transverse contours are among them.
+    for rule in ["AP1-10", "AP1-11", "AP1-12", "AP1-14", "LAPC-03", "LAP-21"] {
+        assert!(stdout.contains(&format!("{rule} ")), "{rule}: {stdout}");
     }
 }
 

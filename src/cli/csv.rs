@@ -6,7 +6,7 @@ use turnspec_oracle::vocabulary::{Event, notation};
 
 /// The columns, in order. After the place of the event, its kind, and its fields as compact notation names
 /// them; the feed and its unit are apart.
-pub const COLUMNS: [&str; 60] = [
+pub const COLUMNS: [&str; 66] = [
     "n",
     "line",
     "sequence",
@@ -39,6 +39,12 @@ pub const COLUMNS: [&str; 60] = [
     "pu",
     "pcu",
     "pcz",
+    "lead",
+    "axis",
+    "change",
+    "start",
+    "pass",
+    "part",
     "time",
     "spindle",
     "state",

@@ -55,11 +55,17 @@ impl Nudged {
 /// The plain numbers of X, Z and W words.
 fn coordinates(program: &mut Program) -> Vec<(&'static str, &mut Number)> {
     let mut words = Vec::new();
+    let mut slot = false;
     for line in &mut program.lines {
         let Line::Block(block) = line else { continue };
+        let is = |codes: &[i64]| {
+            let code = |item: &Item| matches!(item, Item::Word(word) if word.is_g(codes));
+            block.items.iter().any(code)
+        };
+        slot = slot && !is(&[180]) || is(&[190]);
         // There W is an allowance, which tells how many passes there are.
-        let across = block.items.iter().any(|item| matches!(item, Item::Word(word) if word.is_g(&[72])));
-        let axes: &[Axis] = if across { &[Axis::X, Axis::Z] } else { &[Axis::X, Axis::Z, Axis::W] };
+        let axes: &[Axis] =
+            if slot || is(&[72]) { &[Axis::X, Axis::Z] } else { &[Axis::X, Axis::Z, Axis::W] };
         for item in &mut block.items {
             let Item::Word(word) = item else { continue };
             let axis = axes.iter().find(|axis| axis.address() == word.address);

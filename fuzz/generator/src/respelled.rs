@@ -94,13 +94,18 @@ fn grown(choices: &mut Choices<'_, '_>) -> (Program, State) {
 }
 
 /// The program with the words of some blocks in another order. G words keep their order among themselves, so
-/// do M words (they are carried out in written order); a block with an assignment stays as it is.
+/// do M words (they are carried out in written order); a block with an assignment, or with G77 or G78, stays as it is.
 fn reorder(program: &Program, choices: &mut Choices<'_, '_>) -> Program {
     let mut program = program.clone();
     let library = program.library.iter_mut().flat_map(|(_, lines)| lines);
     for line in program.lines.iter_mut().chain(library) {
         let Line::Block(block) = line else { continue };
-        let fixed = |item: &Item| matches!(item, Item::Assignment(..) | Item::Comment(..) | Item::Raw(_));
+        let fixed = |item: &Item| match item {
+            Item::Assignment(..) | Item::Comment(..) | Item::Raw(_) => true,
+            // These have to stand first (E100L-TAP-01).
+            Item::Word(word) => word.is_g(&[77, 78]),
+            Item::Calrg => false,
+        };
         if !block.items.iter().any(fixed) && choices.chance(60) {
             shuffle_words(&mut block.items, choices);
         }

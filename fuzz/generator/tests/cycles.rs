@@ -8,7 +8,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use turnspec_generator::{Case, case_from_seed};
 use turnspec_oracle::vocabulary::rule_ids::*;
 use turnspec_oracle::vocabulary::{
-    Action, AlarmName, Event, G184Tapping, Motion, Part, Reading, RuleId, Side, SpindleName,
+    Action, AlarmName, Event, G184Tapping, Motion, Part, Reading, RuleId, Side,
 };
 
 use support::Citations;
@@ -95,8 +95,7 @@ const DETAILS: &[(AlarmName, &str)] = &[
     (AlarmName::Unspecified, "W"), (AlarmName::Unspecified, "U"), (AlarmName::Unspecified, "T"),
     (AlarmName::Unspecified, "D"), (AlarmName::Unspecified, "I"), (AlarmName::Unspecified, "K"),
     (AlarmName::Unspecified, "L"), (AlarmName::Unspecified, "C"), (AlarmName::Unspecified, "J"),
-    (AlarmName::Unspecified, "G50"), (AlarmName::Unspecified, "G183"), (AlarmName::CycleWord, "S"),
-    (AlarmName::CycleWord, "T"), (AlarmName::CycleWord, "M08"), (AlarmName::CycleWord, "M02"),
+    (AlarmName::Unspecified, "G50"), (AlarmName::CycleWord, "S"), (AlarmName::CycleWord, "M02"),
     (AlarmName::CycleFeedMode, "G181"), (AlarmName::CycleFeedMode, "G187"), (AlarmName::CycleFeedMode, "G190"),
     (AlarmName::WordWithoutFunction, "R"), (AlarmName::WordWithoutFunction, "DA"),
     (AlarmName::StatementMisplaced, "G77"), (AlarmName::StatementMisplaced, "G78"),
@@ -205,9 +204,6 @@ fn deeds(case: &Case, events: &[Event]) -> BTreeSet<&'static str> {
             Action::Call { .. } if cycle => {
                 deeds.insert("call in a cycle");
             }
-            Action::Spindle(spindle) if spindle.spindle == SpindleName::Main && cites(event, TAP_02) => {
-                deeds.insert("spindle of a tap");
-            }
             _ => {}
         }
         let Some(motion) = motion_of(event).filter(|_| is_of_cycle(event)) else { continue };
@@ -258,6 +254,52 @@ fn programs_with_cycles_are_many_and_deep() {
     assert!((SOME * 6..SOME * 11).contains(&(cycles * 100)), "{cycles} programs of {SOME}");
     assert!(ended * 100 > cycles * 60, "{ended} of {cycles} ended");
     assert!(events > cycles * 80 && motions > cycles * 40, "{events} events, {motions} of cycles");
+    reached.demand(&[
+        ("G179", 33),
+        ("G181", 44),
+        ("G182", 40),
+        ("G184", 52),
+        ("G184 synchronised", 24),
+        ("G185", 37),
+        ("G186", 25),
+        ("G187", 32),
+        ("G188", 32),
+        ("G189", 43),
+        ("G77", 94),
+        ("G78", 96),
+        ("M140", 12),
+        ("M141", 132),
+        ("M211", 99),
+        ("M212", 27),
+        ("M213", 99),
+        ("M214", 28),
+        ("R", 134),
+        ("T of a groove", 30),
+        ("assignment in a cycle", 85),
+        ("beside a barrier", 39),
+        ("call in a cycle", 43),
+        ("chip discharge", 24),
+        ("chips of G183", 24),
+        ("compensation elsewhere", 128),
+        ("finishing pass", 36),
+        ("follow-up", 269),
+        ("further hole of Q", 40),
+        ("groove from X", 187),
+        ("groove from Z", 188),
+        ("in G91", 101),
+        ("in a called program", 166),
+        ("in a schedule", 13),
+        ("in inches", 66),
+        ("keyway return", 99),
+        ("more than eight blocks", 150),
+        ("more than twenty pecks", 128),
+        ("other frame in a cycle", 10),
+        ("parameter of G184", 136),
+        ("saddle B", 28),
+        ("side", 84),
+        ("turret B", 7),
+        ("withdrawal of a groove", 79),
+    ]);
 }
 
 /// Every rule of these families that an event cites, and every alarm of them with the rule that it stands for.

@@ -5,8 +5,10 @@
 //! tests of this crate call it with the bytes of seeds and with kept regressions, so that each property is
 //! exercised wherever `cargo test` runs. Every input is answered: one that gives no case holds.
 
+mod bores;
 mod contour_pairs;
 mod contours;
+mod cycles;
 mod differential;
 mod expression;
 mod metamorphic;
@@ -51,6 +53,7 @@ pub const PROPERTIES: &[Property] = &[
     Property { name: "perturbation", holds: perturbation::a_small_change_moves_little },
     Property { name: "threads", holds: threads::threads_are_whole },
     Property { name: "contours", holds: contours::contours_are_true },
+    Property { name: "cycles", holds: cycles::holes_are_whole },
     Property { name: "metamorphic", holds: metamorphic::rewritten_programs_do_the_same },
 ];
 

@@ -7,7 +7,7 @@ use turnspec_oracle::vocabulary::{
 };
 
 use crate::differential::show;
-use crate::shape::{motion, trace};
+use crate::shape::{is_of_cycle, motion, trace};
 use crate::{Verdict, require};
 
 /// Alarms that a coordinate decides by a threshold.
@@ -67,7 +67,8 @@ const STEADY: &[RuleId] = &[NRC_15, NRC_26, NRC_30, NRC_44, NRC_45, NRC_66, NRC_
 ///    threshold shows as an alarm of `THRESHOLDS` in one of them (or as another alarm that both have at the
 ///    same line), as an element of a corner that has no length in one of them, as a chamfer of a thread that reaches the level of
 ///    the cycle start in one of them only, as a line on the face that meets the centre or lies on one ray with it in one of them,
-///    or as a zero shift that is
+///    as another number of pecks, passes or grooves in a block of a cycle (the property `cycles` says where that changes), or as
+///    a zero shift that is
 ///    zero in one of them at the reset.
 /// 2. **Distance.** Up to that place, and up to the first end point that is computed from an angle, from a
 ///    circle and one coordinate, at a corner of any angle, or from a point in conversion mode, every machine coordinate of the axis of that
@@ -132,7 +133,9 @@ fn same_shape(before: &[Event], after: &[Event]) -> Result<usize, String> {
         let compensated = events.iter().any(|event| cites(event, &[NRC_46])) || corners_differ(one, other);
         let row = events.iter().any(|event| cites(event, ROWS));
         let exits = exits_differ(one, other);
-        let threshold = corner || row || compensated || exits || events.iter().any(|event| known(event));
+        let cycle = events.iter().any(|event| is_of_cycle(event));
+        let threshold =
+            corner || row || compensated || exits || cycle || events.iter().any(|event| known(event));
         require(threshold, || format!("{one:?}\n{other:?}"))?;
         let line = one.block.line.min(other.block.line);
         return Ok(before.iter().take(index).take_while(|event| event.block.line < line).count());

@@ -1,7 +1,7 @@
 //! The trace of the oracle, and what of an event is its shape and what its coordinates.
 
 use turnspec_generator::{Case, decode};
-use turnspec_oracle::vocabulary::{Action, Event, Motion, Place};
+use turnspec_oracle::vocabulary::{Action, Event, Motion, Place, RuleId};
 
 /// The trace of a case.
 pub(crate) fn trace(case: &Case) -> Vec<Event> {
@@ -28,6 +28,20 @@ pub(crate) fn motion(event: &Event) -> Option<Motion> {
         | Action::ContourArc { motion, .. } => Some(motion),
         _ => None,
     }
+}
+
+/// Whether an event cites a rule of thread cutting with the main spindle.
+pub(crate) fn is_of_thread(event: &Event) -> bool {
+    const AREAS: &[&str] = &["G31", "G32", "G33", "G34", "G71", "G72"];
+    let area = |rule: &RuleId| AREAS.contains(&rule.as_str().split('-').nth(1).unwrap_or_default());
+    event.rules.as_slice().iter().any(area)
+}
+
+/// Whether it is a motion of a grooving, drilling or tapping cycle.
+pub(crate) fn is_of_cycle(event: &Event) -> bool {
+    const AREAS: &[&str] = &["CTHR", "G181", "G182", "G183", "G184", "G189", "G190", "GRV", "STAP", "TAP"];
+    let area = |rule: &RuleId| AREAS.contains(&rule.as_str().split('-').nth(1).unwrap_or_default());
+    motion(event).is_some_and(|motion| motion.part.is_some()) && event.rules.as_slice().iter().any(area)
 }
 
 /// Whether it is an alarm.

@@ -9,21 +9,21 @@ use turnspec_oracle::Run;
 use turnspec_oracle::vocabulary::{Action, Ending, Event, MachineType, Part, Side, TapeCode};
 
 use crate::differential::show;
-use crate::shape::{is_straight, motion};
+use crate::shape::{is_of_cycle, is_of_thread, is_straight, motion};
 use crate::{Verdict, require};
 
 /// The most events of a block, its assignments and alarm aside, by the order of its steps:
 ///
 /// | step | events |
 /// |---|---:|
-/// | `mode`: one code of a group (E100L-GCODE-04), six groups whose code can change, G111 among them | 6 |
+/// | `mode`: one code of a group (E100L-GCODE-04), seven groups whose code can change, G111 and either the cycle or conversion among them | 7 |
 /// | G50: `frame` and `spindle`; G28 and G29, of the same group: one | 2 |
 /// | S, SA, SB: each once in a block (E100L-FMT-06) | 3 |
 /// | T: `tool` and `frame` | 2 |
 /// | M words: eight (E100L-FMT-06), each one event | 8 |
 /// | motion: two elements of a corner, two of a torque skip, or three of a contour; or a dwell; or the motions of a pass of a thread | 6 |
 /// | M02, M30 (E100L-MCODE-04): besides `end` eight modes, those of the turrets and of conversion among them, and a `frame` for each turret | 10 |
-const BLOCK: usize = 37;
+const BLOCK: usize = 38;
 
 /// What a block may have more on two saddles: `wait` and `release` at P and at M100, `side_end`, and the reset of the other
 /// side, five modes and a `frame` less what stands above for the turrets.
@@ -35,6 +35,10 @@ const STEPS_OF_A_SIDE: u64 = 4;
 /// The most motions of a pass: approach, cut, two of the chamfer, retract, return (E100L-G33-04, E100L-TCHM-04).
 const PASS: usize = 6;
 
+/// The most events with a cutting pass of a cycle, which are those of a tap: position, two of the tool, approach, clamp, two
+/// of the tool, cut, dwell, exit, unclamp, two of the tool, return (E100L-G184-01).
+const CUT: usize = 14;
+
 /// The fewest characters of an assignment, `V1=1`. It emits `variable` and at most one `frame`.
 const ASSIGNMENT: usize = 4;
 /// The most characters of a block (E100L-FMT-05).
@@ -45,7 +49,7 @@ const MODAL_CALLS: usize = 8;
 /// A program runs to an end. Without control flow a step reads at least one line or is the last one, so that there are
 /// at most two steps more than ends of block; a block of n characters emits at most 37 + 2⌊n/4⌋ events, and one more if
 /// it is an alarm; and blocks follow the order of the text. A pass of G71 or G72 but the first of its block is a step too, and has six
-/// events at most. On two saddles there are four times as many steps at most, a
+/// events at most; so is a cutting pass of a grooving, drilling or tapping cycle, with fourteen. On two saddles there are four times as many steps at most, a
 /// block has nine events more, and the order is that of the text for each side up to the end of both. With control flow a step takes at least one block, of which
 /// a run begins no more than `limits.steps`; a block has at most 158 characters, and at most eight programs of modal calls
 /// begin behind it. Events are numbered from 1 without a gap, `end` or `alarm` comes last and nowhere else but at the
@@ -100,16 +104,32 @@ fn bounded(case: &Case, mut step: impl FnMut(&mut Vec<Event>) -> Option<Ending>)
     require(events.len() as u64 <= most, || format!("{} events, more than {most}", events.len()))
 }
 
-/// Whether the text has the letters of a block of G71 or G72, each pass of which is a step.
+/// Whether the text has the letters of a block of a thread or cycle each pass of which is a step: D of pecks and depths, Q
+/// of holes.
 fn may_repeat(case: &Case) -> bool {
     let text = decode(&case.program, case.setup.tape.code);
-    b"GXZDH".iter().all(|letter| text.contains(letter))
+    text.contains(&b'G') && b"DQ".iter().any(|letter| text.contains(letter))
+}
+
+/// Cutting passes of cycles in each block.
+fn cuts_of_blocks(events: &[Event]) -> BTreeMap<u32, usize> {
+    let mut cuts = BTreeMap::new();
+    let is_cut = |event: &&Event| {
+        let part = motion(event).and_then(|motion| motion.part);
+        is_of_cycle(event) && matches!(part, Some(Part::Cut | Part::Finish))
+    };
+    for event in events.iter().filter(is_cut) {
+        *cuts.entry(event.block.start).or_default() += 1;
+    }
+    cuts
 }
 
 /// Passes that each block began.
 fn passes_of_blocks(events: &[Event]) -> BTreeMap<u32, usize> {
     let mut passes = BTreeMap::new();
-    let approaches = |event: &&Event| motion(event).and_then(|motion| motion.part) == Some(Part::Approach);
+    let approaches = |event: &&Event| {
+        motion(event).and_then(|motion| motion.part) == Some(Part::Approach) && is_of_thread(event)
+    };
     for event in events.iter().filter(approaches) {
         *passes.entry(event.block.start).or_default() += 1;
     }
@@ -176,9 +196,10 @@ fn few_a_block(events: &[Event], block: usize) -> Verdict {
         let length = event.block.end.saturating_sub(event.block.start) as usize;
         blocks.entry(event.block.start).or_insert((0, length)).0 += 1;
     }
-    let passes = passes_of_blocks(events);
+    let (passes, cuts) = (passes_of_blocks(events), cuts_of_blocks(events));
     for (start, (count, length)) in blocks {
-        let most = block + 2 * (length / ASSIGNMENT) + PASS * passes.get(&start).copied().unwrap_or_default();
+        let of = |map: &BTreeMap<u32, usize>| map.get(&start).copied().unwrap_or_default();
+        let most = block + 2 * (length / ASSIGNMENT) + PASS * of(&passes) + CUT * of(&cuts);
         require(count <= most, || format!("the block at {start} has {count} events, more than {most}"))?;
     }
     Ok(())

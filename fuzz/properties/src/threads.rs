@@ -7,7 +7,7 @@ use turnspec_oracle::vocabulary::{
 };
 
 use crate::differential::show;
-use crate::shape::{motion, trace};
+use crate::shape::{is_of_thread, motion, trace};
 use crate::thread_counts::{Heights, Pattern};
 use crate::{Verdict, require};
 
@@ -68,8 +68,10 @@ fn passes_are_whole(events: &[Event]) -> Verdict {
         let mut before: Option<(u32, Part, u32)> = None;
         let mut back: Option<(u32, Position)> = None;
         for event in own {
-            let passed = motion(event).and_then(|motion| Some((motion.part?, motion.pass?, motion.machine)));
-            if let Action::Thread { lead, .. } = event.action {
+            let passed = motion(event)
+                .filter(|_| is_of_thread(event))
+                .and_then(|motion| Some((motion.part?, motion.pass?, motion.machine)));
+            if let Action::Thread { lead, spindle: None, .. } = event.action {
                 let range = 1_000_000..=1_000_000_000_000;
                 require(range.contains(&lead.0), || format!("a lead out of range: {event:?}"))?;
             }

@@ -34,7 +34,9 @@ macro_rules! each_on_seeds {
     };
 }
 
-each_on_seeds! { structured raw parse round_trip setup trace expression termination perturbation threads contours metamorphic }
+each_on_seeds! {
+    structured raw parse round_trip setup trace expression termination perturbation threads contours cycles metamorphic
+}
 
 /// Bytes that make up programs and set-ups, and some that do not belong there.
 fn text() -> impl Strategy<Value = Vec<u8>> {

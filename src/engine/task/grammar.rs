@@ -190,9 +190,8 @@ impl Parser<'_> {
         let Some(Item::Word(Address::G, Source::Plain(number))) = self.block.items.last() else {
             return Ok(());
         };
-        if !whole(*number).is_some_and(|code| matches!(code, 85..=88)) {
-            return Ok(());
-        }
+        let Some(code) = whole(*number).filter(|code| matches!(code, 85..=88)) else { return Ok(()) };
+        self.refuse_on_two_saddles(Label::of_code(b'G', code))?;
         self.skip_blanks()?;
         if self.peek() != Some(b'N') || self.run(self.at) == b"NOEX" {
             return Fault::raise(AlarmName::Format, LAP_09);

@@ -20,7 +20,7 @@ pub(super) const STATEMENTS: &[(Fault, &[&str])] = &[
     (Fault::Format, &[
         "GOTO 5", "GOTO", "GOTO X5", "GOTO N5 X5", "GOTO N5 (A) 5", "IF", "IF 5 N1", "IF[1 EQ 1]", "IF[1]5", "IF V1 N5",
         "IF SIN N5", "IF EQ N5", "IF SB N1", "IF CALRG N1", "IF X N1", "IF GOTO N5", "CALL", "CALL 1", "CALL :1",
-        "CALL X5", "MODIN", "MODIN N1", "MODIN 1", "MODIN X5", "MODIN AB", "RTS X5", "RTS RTS", "MODOUT 1", "MODOUT O1", "MODOUT X5", "MODOUT AB=1", "MODOUT M08", "MODOUT 7",
+        "CALL X5", "MODIN", "MODIN N1", "MODIN 1", "MODIN X5", "MODIN AB", "MODIN AB=1", "RTS X5", "RTS RTS", "MODOUT 1", "MODOUT O1", "MODOUT X5", "MODOUT AB=1", "MODOUT M08", "MODOUT 7",
         "IF[1] GOTO 5", "IF[1] N1 GOTO N2",
         "IF[] N5", "GOTO N5 GOTO N6", "RTS (A) M02", "IF Q5 N1", "IF ABC GOTO X1", "CALL O1 5", "NOEX 5", "G205 5",
         "CALL O1 [AB]", "M321=321=5", "RTS%", "CALL O1 AB=SB", "IF[1]", "IF ABC",
