@@ -135,6 +135,14 @@ impl Reached {
             *self.did.entry(deed).or_default() += 1;
         }
     }
+
+    /// Demands that at least so many programs did this.
+    fn demand(&self, list: &[(&str, u64)]) {
+        for (deed, least) in list {
+            let count = self.did.get(deed).copied().unwrap_or_default();
+            assert!(count >= *least, "{count} programs: {deed}");
+        }
+    }
 }
 
 fn motion_of(event: &Event) -> Option<Motion> {
