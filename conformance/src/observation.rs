@@ -40,6 +40,7 @@ pub const KINDS: &[&str] = &[
 
 /// Keys of an event that stand for a field by themselves, and the field.
 const PLAIN: &[(&str, &str)] = &[
+    ("tip_c", "tc"),
     ("c_travel", "c_travel"),
     ("path", "path"),
     ("sense", "sense"),
@@ -88,6 +89,7 @@ const NOSE: &[(&str, &str)] = &[("x", "nx"), ("z", "nz")];
 /// A tool event has its radius number where a motion has its nose centre.
 const NOSE_NUMBER: &[(&str, &str)] = &[("nose", "nose")];
 const FACE: &[(&str, &str)] = &[("x", "px"), ("y", "py")];
+const FACE_TIP: &[(&str, &str)] = &[("x", "qx"), ("y", "qy")];
 const FACE_CENTRE: &[(&str, &str)] = &[("x", "pcx"), ("y", "pcy")];
 const SIDE_ARC: &[(&str, &str)] = &[("travel", "pu"), ("centre", "pcu"), ("centre_z", "pcz")];
 const BLOCK: &[(&str, &str)] = &[("line", "line"), ("sequence", "block"), ("program", "program")];
@@ -101,7 +103,8 @@ const SHOWN: usize = 600;
 /// Whether compact notation has such a field.
 #[must_use]
 pub fn is_field(name: &str) -> bool {
-    let tables = [PLAIN, PROGRAM, MACHINE, TIP, NOSE, NOSE_NUMBER, FACE, FACE_CENTRE, SIDE_ARC, BLOCK];
+    let tables =
+        [PLAIN, PROGRAM, MACHINE, TIP, NOSE, NOSE_NUMBER, FACE, FACE_TIP, FACE_CENTRE, SIDE_ARC, BLOCK];
     ["f", "value"].contains(&name) || tables.into_iter().flatten().any(|(_, field)| *field == name)
 }
 
@@ -132,6 +135,7 @@ impl Observation {
         fields.members("machine", &object, MACHINE)?;
         fields.members("tip", &object, TIP)?;
         fields.members("face", &object, FACE)?;
+        fields.members("face_tip", &object, FACE_TIP)?;
         fields.members("face_centre", &object, FACE_CENTRE)?;
         fields.members("side_arc", &object, SIDE_ARC)?;
         if kind == "tool" {

@@ -106,11 +106,12 @@ fn quantity(kind: &str, field: &str) -> Option<Quantity> {
     match (kind, field) {
         // Percent of the rated torque, whole numbers.
         ("torque", _) => None,
-        (_, "x" | "z" | "w" | "mx" | "mz" | "mw" | "tx" | "tz" | "nx" | "nz" | "cx" | "cz" | "path") => {
+        (_, "x" | "z" | "w" | "mx" | "mz" | "mw" | "tx" | "tz" | "nx" | "nz" | "cx" | "cz" | "path")
+        | (_, "px" | "py" | "qx" | "qy" | "pcx" | "pcy" | "pu" | "pcu" | "pcz" | "lead" | "change") => {
             Some(Quantity::Length)
         }
         ("frame", "c") | (_, "c_travel") => Some(Quantity::Angle),
-        (_, "c" | "mc") => Some(Quantity::Direction),
+        (_, "c" | "mc" | "tc" | "start") => Some(Quantity::Direction),
         (_, "f") => Some(Quantity::Feed),
         (_, "speed" | "clamp" | "surface") => Some(Quantity::Speed),
         (_, "time") => Some(Quantity::Time),
@@ -158,7 +159,11 @@ mod tests {
                 &["x", "z", "w", "mx", "mz", "mw", "tx", "tz", "nx", "nz", "cx", "cz", "path"][..],
             ),
             ("length", "frame", &["x", "z", "w"]),
-            ("angle", "linear", &["c", "mc", "c_travel"]),
+            ("length", "linear", &["px", "py", "qx", "qy"]),
+            ("length", "contour_arc", &["pcx", "pcy", "pu", "pcu", "pcz"]),
+            ("length", "thread", &["lead", "change"]),
+            ("angle", "thread", &["start"]),
+            ("angle", "linear", &["c", "mc", "tc", "c_travel"]),
             ("angle", "frame", &["c"]),
             ("feed", "linear", &["f"]),
             ("speed", "spindle", &["speed", "clamp", "surface"]),

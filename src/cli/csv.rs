@@ -6,7 +6,7 @@ use turnspec_oracle::vocabulary::{Event, notation};
 
 /// The columns, in order. After the place of the event, its kind, and its fields as compact notation names
 /// them; the feed and its unit are apart.
-pub const COLUMNS: [&str; 66] = [
+pub const COLUMNS: [&str; 69] = [
     "n",
     "line",
     "sequence",
@@ -22,10 +22,13 @@ pub const COLUMNS: [&str; 66] = [
     "mw",
     "tx",
     "tz",
+    "tc",
     "nx",
     "nz",
     "px",
     "py",
+    "qx",
+    "qy",
     "c_travel",
     "speed",
     "feed",

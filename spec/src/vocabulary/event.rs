@@ -317,15 +317,21 @@ pub struct Motion {
     pub program: Position,
     /// End point in machine coordinates.
     pub machine: Position,
-    /// The tool tip in program coordinates, in radius compensation.
+    /// The tool tip in program coordinates, in radius compensation; of a cutter its centre.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub tip: Option<PlanePosition>,
     /// The nose centre in program coordinates, in radius compensation.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub nose: Option<PlanePosition>,
+    /// C of the cutter centre in program coordinates, in cutter radius compensation.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub tip_c: Option<Angle>,
     /// The end as a point of the face plane, in contour generation on the face and in coordinate conversion.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub face: Option<FacePoint>,
+    /// The cutter centre as a point of the face plane, in cutter radius compensation in G17.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub face_tip: Option<FacePoint>,
     /// Travel of the C axis, signed, full turns included.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub c_travel: Option<Angle>,

@@ -214,13 +214,17 @@ impl Fields {
     }
 
     fn motion(&mut self, motion: &Motion) -> &mut Self {
-        let Motion { program, machine, tip, nose, face, c_travel, speed, pass, part } = motion;
+        let Motion { program, machine, tip, nose, tip_c, face, face_tip, c_travel, speed, pass, part } =
+            motion;
         self.position(program, ["x", "z", "c", "w"]).position(machine, ["mx", "mz", "mc", "mw"]);
         self.add_some("tx", tip.map(|tip| tip.x).as_ref()).add_some("tz", tip.map(|tip| tip.z).as_ref());
+        self.add_some("tc", tip_c.as_ref());
         self.add_some("nx", nose.map(|nose| nose.x).as_ref())
             .add_some("nz", nose.map(|nose| nose.z).as_ref());
         self.add_some("px", face.map(|face| face.x).as_ref())
             .add_some("py", face.map(|face| face.y).as_ref());
+        self.add_some("qx", face_tip.map(|tip| tip.x).as_ref())
+            .add_some("qy", face_tip.map(|tip| tip.y).as_ref());
         self.add_some("c_travel", c_travel.as_ref()).add_some("speed", speed.as_ref());
         self.add_some("pass", pass.as_ref()).add_some("part", part.map(Part::as_str).as_ref())
     }
