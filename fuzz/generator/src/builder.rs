@@ -8,6 +8,7 @@ use crate::control;
 use crate::cycles;
 use crate::faults::{self, Fault};
 use crate::io;
+use crate::lap;
 use crate::print;
 use crate::profile::Profile;
 use crate::program::{Block, Item, Line};
@@ -38,6 +39,8 @@ pub(crate) struct Builder<'b, 'c, 'd> {
     pub(crate) threads: bool,
     /// Whether the program is to have cycles of grooving, drilling and tapping.
     pub(crate) cycles: bool,
+    /// Whether the program is to have LAP.
+    pub(crate) lap: bool,
     /// Constructions of control flow around the present place.
     pub(crate) nesting: usize,
     /// Blocks that the program may still get.
@@ -79,6 +82,7 @@ pub(crate) enum Kind {
     Contour,
     Thread,
     Cycle,
+    Lap,
 }
 
 const KINDS: &[(usize, Kind)] = &[
@@ -109,6 +113,9 @@ const THREADS: usize = 70;
 
 /// How often a block cuts grooves or holes in programs that are to have them.
 const CYCLES: usize = 60;
+
+/// How often a block is a definition of LAP with its calls, in programs that are to have them.
+const LAPS: usize = 40;
 
 /// How often a block is one of control flow, in programs that are to have it.
 const CONTROL: usize = 44;
@@ -147,6 +154,7 @@ impl Kind {
             Self::Contour => contour::is_within(profile),
             Self::Thread => threads::is_within(profile),
             Self::Cycle => cycles::is_within(profile),
+            Self::Lap => lap::is_within(profile),
         }
     }
 }
@@ -160,12 +168,13 @@ impl<'b, 'c, 'd> Builder<'b, 'c, 'd> {
         let expressions = choices.pick(&[0, 3, 10, 40]);
         let expressions = if profile.allows(Feature::Expression) { expressions } else { 0 };
         let (many, few) = START_UPS;
-        let (start_ups, threads, contours, cycles) = match choices.below(100) {
-            60.. => (many, 0, 0, 0),
-            47..60 if threads::is_within(&profile) => (BESIDE_THREADS, THREADS, 0, 0),
-            40..47 if contour::is_within(&profile) => (few, 0, CONTOURS, 0),
-            31..40 if cycles::is_within(&profile) => (BESIDE_THREADS, 0, 0, CYCLES),
-            _ => (few, 0, 0, 0),
+        let (start_ups, threads, contours, cycles, laps) = match choices.below(100) {
+            60.. => (many, 0, 0, 0, 0),
+            47..60 if threads::is_within(&profile) => (BESIDE_THREADS, THREADS, 0, 0, 0),
+            40..47 if contour::is_within(&profile) => (few, 0, CONTOURS, 0, 0),
+            31..40 if cycles::is_within(&profile) => (BESIDE_THREADS, 0, 0, CYCLES, 0),
+            21..31 if lap::is_within(&profile) => (few, 0, 0, 0, LAPS),
+            _ => (few, 0, 0, 0, 0),
         };
         if threads > 0 {
             threads::set_up(&mut state.setup, choices, &profile);
@@ -175,6 +184,9 @@ impl<'b, 'c, 'd> Builder<'b, 'c, 'd> {
         }
         if cycles > 0 {
             cycles::set_up(&mut state.setup, choices, &profile);
+        }
+        if laps > 0 {
+            lap::set_up(&mut state.setup, choices, &profile);
         }
         let control = if choices.chance(50) { CONTROL + (threads + cycles) / 3 } else { 0 };
         let barrier = if state.barriers.is_wanted() { BARRIER } else { 0 };
@@ -187,6 +199,7 @@ impl<'b, 'c, 'd> Builder<'b, 'c, 'd> {
             (io, Kind::Io),
             (threads, Kind::Thread),
             (cycles, Kind::Cycle),
+            (laps, Kind::Lap),
         ];
         let kinds = KINDS.iter().copied().chain(special);
         let kinds = kinds.filter(|(_, kind)| kind.is_within(&profile)).collect();
@@ -204,6 +217,7 @@ impl<'b, 'c, 'd> Builder<'b, 'c, 'd> {
             contours: contours > 0,
             threads: threads > 0,
             cycles: cycles > 0,
+            lap: laps > 0,
             nesting: 0,
             left: 0,
             spoilt: false,
@@ -422,7 +436,7 @@ impl<'b, 'c, 'd> Builder<'b, 'c, 'd> {
         }
         items.push(Item::m(if self.choices.chance(30) { 30 } else { 2 }));
         self.push(items);
-        if self.choices.chance(10) {
+        if !self.definitions_behind() && self.choices.chance(10) {
             let list: [&[u8]; 4] = [b"%", b"G00 X1", b"REMNANT )", b"O2"];
             let behind = if self.state.control.has_tail() { 3 } else { list.len() };
             let text = self.choices.pick(&list[..behind]);
@@ -494,6 +508,7 @@ impl<'b, 'c, 'd> Builder<'b, 'c, 'd> {
             Kind::Contour => self.contours(),
             Kind::Thread => self.thread(),
             Kind::Cycle => self.cycle(),
+            Kind::Lap => self.lap(),
         }
     }
 

@@ -9,7 +9,7 @@ use crate::print::{self, Style};
 use crate::profile::Profile;
 use crate::program::Program;
 use crate::state::State;
-use crate::{contour, cycles, setup, tape, threads};
+use crate::{contour, cycles, lap, setup, tape, threads};
 
 /// How many bytes a seed is stretched to: enough for a program of the greatest size.
 const STRETCHED: usize = 16 * 1024;
@@ -42,6 +42,7 @@ impl Case {
             threads::set_up(&mut setup, choices, &Profile::FULL);
             contour::set_up(&mut setup, choices);
             cycles::set_up(&mut setup, choices, &Profile::FULL);
+            lap::set_up(&mut setup, choices, &Profile::FULL);
         }
         setup.limits.steps = RAW_STEPS;
         Self { setup, program: program.to_vec() }
@@ -86,7 +87,7 @@ fn case(choices: &mut Choices<'_, '_>, profile: Profile) -> Case {
     let setup = setup::setup(choices, &profile);
     let mut builder = Builder::new(choices, State::new(setup), profile);
     builder.build();
-    let has_passes = builder.threads || builder.cycles;
+    let has_passes = builder.threads || builder.cycles || builder.lap;
     let (program, state) = builder.finish();
     let mut setup = state.setup;
     let style = Style::choose(choices, setup.tape.code != TapeCode::Eia, profile);

@@ -79,7 +79,7 @@ pub const G_UNSPECIFIED: &[i64] =
     &[19, 20, 21, 30, 36, 37, 62, 100, 107, 108, 122, 123, 140, 141, 142, 143, 152, 191];
 
 /// G codes that are assigned and not modelled.
-pub const G_LATER: &[i64] = &[80, 81, 82, 83, 84, 85, 86, 87, 88, 112, 113, 138];
+pub const G_LATER: &[i64] = &[112, 113, 138];
 
 /// G codes that are not assigned.
 pub const G_UNASSIGNED: &[i64] = &[

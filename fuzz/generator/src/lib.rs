@@ -31,6 +31,7 @@ mod faults;
 mod formulas;
 mod geometry;
 mod io;
+mod lap;
 mod motion;
 mod needs;
 mod nudged;

@@ -7,6 +7,7 @@ use turnspec_oracle::vocabulary::{
 
 use crate::contour;
 use crate::io::INTERFERENCE;
+use crate::lap;
 use crate::profile::Features;
 
 /// What an M code needs that is not known.
@@ -74,6 +75,9 @@ pub(crate) fn of_g_code(code: i64, machine: MachineType) -> &'static [Feature] {
         73 | 74 => GROOVES,
         77 | 78 => TAPS,
         178..=190 => DRIVEN,
+        80..=84 => &[Feature::Lap],
+        85..=87 => &[Feature::Lap, Feature::Rapid, Feature::Linear],
+        88 => &[Feature::Lap, Feature::Thread, Feature::Rapid, Feature::Linear],
         50 => &[],
         64 | 65 => &[Feature::Aux],
         101..=103 | 132 | 133 | 136 | 137 => &[Feature::ContourGeneration],
@@ -158,6 +162,7 @@ pub(crate) fn of_setup(setup: &Setup) -> Features {
         (setup.inputs.restart, Feature::SystemVariable),
         (!setup.variables.is_empty(), Feature::Variable),
         (contour::is_set_up(setup), Feature::ContourGeneration),
+        (lap::is_set_up(setup), Feature::Lap),
         (setup.schedule, Feature::Schedule),
         (!setup.devices.is_empty(), Feature::Communication),
         (setup.parameters.end_code != plain.parameters.end_code, Feature::Communication),

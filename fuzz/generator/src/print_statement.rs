@@ -19,6 +19,7 @@ impl Printer<'_, '_, '_> {
             }
             Statement::Call(name) => format!("CALL{}O{name}", self.separator()),
             Statement::Modin(name) => format!("MODIN{}O{name}", self.separator()),
+            Statement::Lap(code, name) => format!("G{code}{}N{name}", self.separator()),
             Statement::Rts => "RTS".to_owned(),
             Statement::Modout => "MODOUT".to_owned(),
             Statement::Noex => "NOEX".to_owned(),

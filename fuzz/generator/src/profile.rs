@@ -39,6 +39,9 @@ use crate::tape;
 /// | motions of cycles of driven tools | `driven-cycle`, with `c-axis`, `m-tool`, `rapid` and `linear` |
 /// | C and W of cycles, and E where it is a dwell | `c-axis`, `w-axis`, `dwell` |
 /// | M codes of cycles | `aux` |
+/// | motions and words of LAP, its parameters | `lap`, calls with `rapid` and `linear`, G88 with `thread` |
+/// | what the blocks of a definition have besides | that of the same words elsewhere |
+/// | the names of definitions | `sequence-name` |
 /// | other words of cycles and their parameters | `grooving`, `driven-cycle` |
 ///
 /// Schedule programs occur only with every feature allowed. M02 and M30 are always there. Readings other than the default ones occur with every feature allowed, or on

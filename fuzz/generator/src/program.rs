@@ -49,6 +49,8 @@ pub enum Statement {
     Rts,
     /// `MODOUT`
     Modout,
+    /// A LAP call: its code, and the name of the definition without the `N`.
+    Lap(i64, String),
     /// `NOEX`
     Noex,
     /// A macro code.
@@ -143,7 +145,7 @@ impl Statement {
     #[must_use]
     pub fn target(&self) -> Option<&str> {
         match self {
-            Self::Goto(name) | Self::If(_, name) => Some(name),
+            Self::Goto(name) | Self::If(_, name) | Self::Lap(_, name) => Some(name),
             _ => None,
         }
     }

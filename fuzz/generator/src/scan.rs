@@ -56,6 +56,7 @@ pub(crate) fn needs_of(text: &[u8], mode: Mode, machine: MachineType) -> Feature
         side: 13,
         cycle: false,
         slot: false,
+        definition: None,
         other_mode: mode,
         machine,
         block: Words::default(),
@@ -96,6 +97,8 @@ struct Words {
     compound: bool,
     /// A groove or a tap, and E, which is a dwell of most cycles.
     groove: bool,
+    /// A LAP call, or a block of a definition.
+    lap: bool,
     dwells: bool,
     /// I and K, D, and words that only threads have.
     centre: bool,
@@ -120,6 +123,8 @@ struct Scan<'t> {
     /// Whether a cycle of driven tools is in force, and whether it is that of key ways.
     cycle: bool,
     slot: bool,
+    /// The mode before the definition of LAP in which the text is, and on two saddles that of the other side.
+    definition: Option<Mode>,
     machine: MachineType,
     block: Words,
 }
@@ -286,8 +291,9 @@ impl Scan<'_> {
                 | Mode::ThreadAlongToo
                 | Mode::ThreadAcross
         );
-        let cycle = self.cycle || block.groove;
-        if cycle && block.dwells && !self.slot {
+        let lap = block.lap || self.definition.is_some();
+        let cycle = self.cycle || block.groove || lap;
+        if cycle && !lap && block.dwells && !self.slot {
             self.needs.add(&[Feature::Dwell]);
         }
         if !threads && !block.compound && !cycle {
@@ -345,6 +351,8 @@ impl Scan<'_> {
                 self.needs.add(&[Feature::WAxis]);
             }
             self.block.axis |= run == b"QA";
+            self.equal_sign();
+        } else if self.block.lap && run.len() == 2 && b"XZDF".contains(&run[0]) && b"AB".contains(&run[1]) {
             self.equal_sign();
         } else if run == b"DA" {
             self.block.cycle = true;
@@ -417,6 +425,7 @@ impl Scan<'_> {
             b'A' => &[Feature::AnyAngle],
             b'C' => &[Feature::CAxis],
             b'Y' => &[Feature::ContourGeneration],
+            b'W' if self.block.lap => &[],
             b'W' => &[Feature::WAxis],
             b'F' => &[],
             b'S' => &[Feature::Spindle],
@@ -450,6 +459,15 @@ impl Scan<'_> {
         self.block.one_shot |= matches!(code, 4 | 28 | 29 | 71 | 72 | 73 | 74 | 77 | 78);
         self.block.compound |= matches!(code, 71 | 72);
         self.block.groove |= matches!(code, 73 | 74 | 77 | 78);
+        match code {
+            81..=83 => self.definition = self.definition.or(Some(self.mode)),
+            80 => {
+                self.mode = self.definition.take().unwrap_or(self.mode);
+                self.block.lap = true;
+            }
+            85..=88 => (self.block.statement, self.block.lap) = (true, true),
+            _ => {}
+        }
         if (178..=190).contains(&code) {
             (self.cycle, self.slot) = (code != 180, code == 190);
         }

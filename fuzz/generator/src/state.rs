@@ -15,6 +15,7 @@ use crate::control::Control;
 use crate::cycles::Cycles;
 use crate::environment::Environment;
 use crate::io::Io;
+use crate::lap::Lap;
 use crate::schedule::Schedule;
 use crate::threads::Threads;
 use crate::turrets::Turrets;
@@ -145,6 +146,8 @@ pub struct State {
     pub turrets: Turrets,
     /// Contours and coordinate conversion.
     pub contours: Contours,
+    /// Definitions of LAP.
+    pub lap: Lap,
     /// What expressions of the present block read.
     pub environment: Environment,
 }
@@ -191,6 +194,7 @@ impl State {
             schedule: Schedule::default(),
             turrets: Turrets::new(&setup),
             contours: Contours::default(),
+            lap: Lap::default(),
             environment: Environment::new(units, setup.options.offset_sets, setup.options.user_task == 2),
             setup,
         };

@@ -113,6 +113,14 @@ fn programs_with_cycles_stay_within_and_end() {
     }
 }
 
+/// LAP with no more than it needs.
+#[test]
+fn programs_with_lap_stay_within_and_end() {
+    let ran = stays_within(&[SMALL, &[Feature::Lap]].concat());
+    assert!(ran.ended * 100 >= SEEDS * 95, "{} of {SEEDS} programs ended", ran.ended);
+    assert!(ran.laps > SEEDS * 3 / 100, "{} programs with LAP", ran.laps);
+}
+
 /// Programs that were changed, by shrinking for example, are tested by the profile itself.
 #[test]
 fn a_profile_permits_its_own_cases_and_refuses_others() {
@@ -142,6 +150,8 @@ struct Ran {
     kinds: BTreeSet<String>,
     /// How many programs have a motion of a cycle.
     cycles: u64,
+    /// How many programs have a motion of LAP.
+    laps: u64,
 }
 
 fn stays_within(features: &[Feature]) -> Ran {
@@ -166,12 +176,13 @@ fn check(features: &[Feature], seeds: std::ops::Range<u64>) -> Ran {
         if !foreign.is_empty() {
             fail(&foreign);
         }
-        let mut cuts = false;
+        let (mut cuts, mut laps) = (false, false);
         turnspec_oracle::run(&case.program, &case.setup, &mut |event: &Event| {
             ran.events += 1;
             let of_cycle =
                 |rule: &RuleId| rule.as_str().contains("-GRV-") || rule.as_str().contains("-MCYC-");
             cuts |= event.rules.as_slice().iter().any(of_cycle);
+            laps |= event.rules.as_slice().iter().any(|rule| rule.as_str().contains("-LAP"));
             ran.ended += u64::from(matches!(event.action, Action::End { .. }));
             ran.kinds.insert(kind(event));
             let foreign = foreign_event(event, features);
@@ -180,6 +191,7 @@ fn check(features: &[Feature], seeds: std::ops::Range<u64>) -> Ran {
             }
         });
         ran.cycles += u64::from(cuts);
+        ran.laps += u64::from(laps);
     }
     println!("{} events, {} ended, {:?}", ran.events, ran.ended, ran.kinds);
     ran
@@ -212,7 +224,7 @@ fn foreign_words(case: &Case, features: &[Feature]) -> String {
         return "comment".to_owned();
     }
     let text = without_strings(&without_comments(&text));
-    let extended = [Feature::MTool, Feature::CAxis, Feature::Torque, Feature::Grooving];
+    let extended = [Feature::MTool, Feature::CAxis, Feature::Torque, Feature::Grooving, Feature::Lap];
     let marks: [(&str, &[Feature]); 5] = [
         ("%:", &[Feature::ProgramName]),
         ("[]*,", &[Feature::Expression]),
@@ -288,18 +300,19 @@ fn foreign_word(line: &str, features: &[Feature]) -> Option<String> {
     };
     let has = |feature: Feature| features.contains(&feature);
     let cycles = has(Feature::Grooving) || has(Feature::DrivenCycle);
+    let lap = has(Feature::Lap);
     let needs: &[(&str, bool)] = &[
         ("A", has(Feature::AnyAngle)),
         ("C", has(Feature::CAxis)),
-        ("W", has(Feature::WAxis)),
+        ("W", has(Feature::WAxis) || has(Feature::Lap)),
         ("IK", has(Feature::Arc) || has(Feature::Thread) || cycles),
-        ("D", has(Feature::Torque) || has(Feature::Thread) || cycles),
+        ("D", has(Feature::Torque) || has(Feature::Thread) || cycles || lap),
         ("F", has(Feature::Feed) || has(Feature::Dwell)),
         ("S", has(Feature::Spindle)),
         ("T", has(Feature::Tool)),
         ("V", has(Feature::Variable) || has(Feature::SystemVariable)),
-        ("BH", has(Feature::Alarm) || has(Feature::Thread)),
-        ("EJQU", has(Feature::Alarm) || has(Feature::Thread) || cycles),
+        ("BH", has(Feature::Alarm) || has(Feature::Thread) || lap),
+        ("EJQU", has(Feature::Alarm) || has(Feature::Thread) || cycles || lap),
         ("R", has(Feature::Alarm) || has(Feature::DrivenCycle)),
         ("Y", has(Feature::Alarm) || has(Feature::ContourGeneration)),
         ("P", has(Feature::Alarm) || has(Feature::TwoSaddles)),
@@ -342,7 +355,8 @@ fn is_known_name(run: &[u8], features: &[Feature]) -> bool {
     let has = |feature: Feature| features.contains(&feature);
     match run {
         b"CALRG" => has(Feature::Arc),
-        b"DA" => has(Feature::Grooving) || has(Feature::Alarm),
+        b"DA" => has(Feature::Grooving) || has(Feature::Lap) || has(Feature::Alarm),
+        b"DB" | b"FA" | b"FB" | b"XA" | b"XB" | b"ZA" | b"ZB" => has(Feature::Lap) || has(Feature::Alarm),
         b"SB" => has(Feature::MTool),
         b"SA" | b"QA" => has(Feature::CAxis),
         b"PZ" | b"PW" => has(Feature::Torque),
@@ -356,7 +370,7 @@ fn is_known_name(run: &[u8], features: &[Feature]) -> bool {
         b"PSELECT" | b"VSET" | b"END" => has(Feature::Schedule),
         b"VDIN" | b"VDOUT" | b"VIRD" | b"VORD" => has(Feature::InputOutput),
         b"VUACM" => has(Feature::UserAlarm),
-        [b'N', ..] if has(Feature::ControlStatement) => true,
+        [b'N', ..] if has(Feature::ControlStatement) || has(Feature::Lap) => true,
         [b'O', ..] if has(Feature::Subprogram) => true,
         [b'V', ..] => has(Feature::SystemVariable),
         _ if has(Feature::Alarm) || has(Feature::LocalVariable) => true,
@@ -448,6 +462,7 @@ fn rule_allowed(id: &str, features: &[Feature]) -> bool {
         "CTHR" | "G181" | "G182" | "G183" | "G184" | "G189" | "G190" | "MCYC" | "STAP" => {
             &[Feature::DrivenCycle]
         }
+        "LAP" | "LAPC" | "AP1" | "AP2" | "AP3" | "AP4" | "AP5" => &[Feature::Lap],
         "FUNC" => &[Feature::Function],
         "G50" => &[Feature::ZeroShift],
         "INCH" => &[Feature::Units],

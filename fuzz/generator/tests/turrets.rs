@@ -244,7 +244,7 @@ fn programs_for_two_turrets_and_two_saddles_are_many_and_deep() {
         ("arc of turret B", 60),
         ("compensation with turret B", 20),
         ("call with turret B", 20),
-        ("selected program with turret B", 5),
+        ("selected program with turret B", 4),
     ]);
     saddles.demand(&[
         ("smaller", 100),

@@ -9,6 +9,7 @@ use crate::engine::block::Plan;
 use crate::engine::cite;
 use crate::engine::fault::Fault;
 use crate::engine::motion::{Element, Kind};
+use crate::engine::planted::{self, Bug};
 use crate::engine::slot::Slot;
 use crate::engine::words::{Address, Words};
 
@@ -84,6 +85,7 @@ impl Interpreter<'_> {
             if w != 0 && side_z == 0 {
                 return Err(unspecified(LAPC_06, const { Label::new("W") }));
             }
+            let side_x = if planted::is(Bug::ShiftOutward) { side_x.abs() } else { side_x };
             self.lap.shift = Point { x: side_x * u, z: side_z * w };
         }
         let shift = self.lap.shift;
@@ -107,6 +109,7 @@ impl Interpreter<'_> {
         self.state.base = None;
         const RULES: RuleSet = RuleSet::of(&[GCODE_02, LAP_13]);
         let Finish { motion, incremental, .. } = definition.finish;
+        let motion = if planted::is(Bug::MotionOfContourStays) { self.state.motion } else { motion };
         let before = std::mem::replace(&mut self.state.motion, motion);
         if before != motion {
             self.emit_mode(sink, const { Label::new("motion") }, motion, before, RULES);

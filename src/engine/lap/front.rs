@@ -5,6 +5,7 @@ use std::cmp::Ordering;
 
 use crate::engine::exact::SlowPaths;
 use crate::engine::fault::Fault;
+use crate::engine::planted::{self, Bug};
 
 use super::graph::{Graph, Joint, Span};
 use super::meeting::{Coordinate, Meeting, meetings};
@@ -181,6 +182,9 @@ impl Front {
             let height = at.map_or(height, Value::whole);
             let point = Meeting { run: Coordinate::whole(run), height: Coordinate::Value(height) };
             leave(Leave { times, point, blank, contour, at_joint: true, root: None })?;
+            if planted::is(Bug::WallLeftOnce) {
+                return Ok(());
+            }
             times += 1;
         }
     }

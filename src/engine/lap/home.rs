@@ -5,6 +5,7 @@ use turnspec_oracle::vocabulary::{Part, ReadingSet, RuleSet, Sink};
 use crate::engine::Interpreter;
 use crate::engine::arithmetic::plane::Point;
 use crate::engine::fault::Fault;
+use crate::engine::planted::{self, Bug};
 
 use super::job::Job;
 use super::rules::{self, Rules};
@@ -24,7 +25,11 @@ impl Interpreter<'_> {
     pub(super) fn go_home_by(&mut self, job: &Job, own: Rules, sink: &mut impl Sink) -> Result<(), Fault> {
         let (start_i, _) = job.axes.split(job.start);
         let (_, present_k) = job.axes.split(self.present());
-        let first = if job.first_rapid { job.start } else { job.axes.point(start_i, present_k) };
+        let first = if job.first_rapid || planted::is(Bug::HomeAtOnce) {
+            job.start
+        } else {
+            job.axes.point(start_i, present_k)
+        };
         for end in [first, job.start] {
             self.home_step(job, end, own, sink)?;
         }

@@ -8,6 +8,7 @@ use turnspec_oracle::vocabulary::{AlarmName, ContourFeed, Label, RuleId};
 use crate::engine::Interpreter;
 use crate::engine::arithmetic::plane::Point;
 use crate::engine::fault::Fault;
+use crate::engine::planted::{self, Bug};
 use crate::engine::state::StoredFeed;
 use crate::engine::words::{Address, Words};
 
@@ -75,8 +76,10 @@ impl Job {
     /// Depth and feed below a level.
     pub fn below(&self, level: i64) -> Cut {
         let sense = self.axes.infeed;
-        let reached =
-            |change: &&Change| i128::from(sense) * (i128::from(level) - i128::from(change.place)) <= 0;
+        let reached = |change: &&Change| {
+            i128::from(sense) * (i128::from(level) - i128::from(change.place))
+                <= -i128::from(planted::is(Bug::ChangeBehindPoint))
+        };
         match self.changes.iter().flatten().find(reached) {
             Some(change) => Cut { depth: change.depth, feed: change.feed, differs: change.differs },
             None => Cut { depth: self.depth, feed: self.feed, differs: false },
@@ -139,14 +142,16 @@ impl Interpreter<'_> {
                 return Err(start_point(names[1]));
             }
             let left = i128::from(start_i).abs_diff(i128::from(first_i));
-            if left <= i128::from(on_infeed).unsigned_abs() {
+            let over = u128::from(planted::is(Bug::AllowanceUpToStart));
+            if left + over <= i128::from(on_infeed).unsigned_abs() {
                 let rule = if copies { rule_ids::AP2_01 } else { rule_ids::LAP_20 };
                 return Err(allowance_fault(rule, if axes.along { "U" } else { "W" }));
             }
         }
+        let cutting_sense = if planted::is(Bug::AllowanceForward) { axes.cutting } else { -axes.cutting };
         let shift = match code {
             Code::Thread => Point::default(),
-            _ => axes.point(axes.infeed * on_infeed, -axes.cutting * on_cutting),
+            _ => axes.point(axes.infeed * on_infeed, cutting_sense * on_cutting),
         };
         let moved = elements(first, contour).map(|element| element.moved(shift)).collect();
         let blank = reading.blank.then(|| {
@@ -167,8 +172,8 @@ impl Interpreter<'_> {
             relief: i64::from(parameters.lap_relief) * 1000,
             clearance: i64::from(parameters.lap_clearance) * 1000,
             first_rapid: contour.first().is_some_and(|motion| matches!(motion.course, Course::Rapid)),
-            stays: words.has_m(85),
-            kept_feed: kept_feed.filter(|_| kept && !copies),
+            stays: words.has_m(85) && !planted::is(Bug::AlwaysHome),
+            kept_feed: kept_feed.filter(|_| (kept || planted::is(Bug::KeptFeedAlways)) && !copies),
             names_feed: !copies,
             has_levels: code == Code::Turn,
             every,

@@ -9,6 +9,7 @@ use turnspec_oracle::vocabulary::{Label, Part, Sink};
 use crate::engine::Interpreter;
 use crate::engine::arithmetic::plane::Point;
 use crate::engine::fault::Fault;
+use crate::engine::planted::{self, Bug};
 
 use super::job::Job;
 use super::outline::Outline;
@@ -35,7 +36,9 @@ impl Interpreter<'_> {
             return self.feed_in_before(job, blank, pass, count, sink);
         }
         self.begin_rough_pass(count, pass.cut.differs)?;
-        let (over, rise) = job.on_start_line(pass.level);
+        let level =
+            if planted::is(Bug::InfeedBesideStart) { job.axes.split(job.start).0 } else { pass.level };
+        let (over, rise) = job.on_start_line(level);
         let k = Value::ratio(over, rise).latch(1, false);
         let (end, own) = match pass.last {
             true => (job.contour.start, rules::AP1_03.and(rules::AP1_08)),
@@ -154,7 +157,8 @@ impl Interpreter<'_> {
             if end.cmp(from, slow) == Ordering::Less || begin.cmp(to, slow) == Ordering::Greater {
                 continue;
             }
-            let begin = begin.plus(-clearance).max(from, slow);
+            let before = if planted::is(Bug::StockWithoutClearance) { 0 } else { clearance };
+            let begin = begin.plus(-before).max(from, slow);
             let end = end.plus(clearance).min(to, slow);
             match joined.last_mut() {
                 Some((_, last)) if begin.cmp(*last, slow) != Ordering::Greater => *last = last.max(end, slow),
@@ -175,7 +179,7 @@ impl Job {
     fn is_near(&self) -> bool {
         let start = self.axes.spot(self.start).run;
         let from = self.axes.spot(self.contour.start).run;
-        from - start < self.clearance_run()
+        from - start < self.clearance_run() + i128::from(planted::is(Bug::ClearanceIsNear))
     }
 
     /// The run to which the tool goes in the last pass.

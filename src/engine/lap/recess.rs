@@ -5,6 +5,7 @@ use turnspec_oracle::vocabulary::{Part, Sink};
 
 use crate::engine::Interpreter;
 use crate::engine::fault::Fault;
+use crate::engine::planted::{self, Bug};
 
 use super::job::Job;
 use super::rules;
@@ -64,5 +65,8 @@ fn add_recesses(waiting: &mut Vec<Recess>, pass: &Pass, met: Vec<Place>) {
     let (level, upper) = (pass.level, pass.upper);
     let recesses = met.into_iter().enumerate();
     let recesses = recesses.map(|(number, place)| Recess { place, level, upper, is_first: number == 0 });
+    if planted::is(Bug::LastRecessFirst) {
+        return waiting.extend(recesses);
+    }
     waiting.extend(recesses.rev());
 }

@@ -9,6 +9,7 @@ use turnspec_oracle::vocabulary::{AlarmName, Part, ReadingSet, RuleSet, Sink};
 use crate::engine::Interpreter;
 use crate::engine::arithmetic::plane::Point;
 use crate::engine::fault::Fault;
+use crate::engine::planted::{self, Bug};
 
 use super::job::{Cut, Job};
 use super::rules::{self, Rules};
@@ -113,7 +114,7 @@ impl Interpreter<'_> {
 
     /// The next pass begins.
     pub(super) fn begin_rough_pass(&mut self, count: &mut Count, differs: bool) -> Result<(), Fault> {
-        if count.number > 0 && !self.task.count_pass() {
+        if count.number > 0 && !planted::is(Bug::LevelsUncounted) && !self.task.count_pass() {
             return Fault::raise(AlarmName::StepLimit, GOTO_03);
         }
         *count = Count { number: count.number.saturating_add(1), differs };
@@ -166,7 +167,11 @@ impl Interpreter<'_> {
         let (level, upper) = (contour.level(pass.level), contour.level(pass.upper));
         let mut place = from;
         loop {
-            let end = if pass.to_end { None } else { contour.above(place, upper) };
+            let end = if pass.to_end && !planted::is(Bug::FirstPassLeaves) {
+                None
+            } else {
+                contour.above(place, upper)
+            };
             let recess = contour.down(place, level);
             let recess = recess.filter(|recess| end.is_none_or(|end| recess.is_before(end)));
             let Some(recess) = recess else {
@@ -287,7 +292,8 @@ impl Job {
     /// A point a relief away from what was cut, twice the relief on X or not.
     pub fn relieved(&self, from: Point, twice: bool) -> Point {
         let Point { x, z } = self.axes.point(self.axes.infeed, -self.axes.cutting);
-        let on_x = if twice { 2 * self.relief } else { self.relief };
+        let on_x =
+            if twice && !planted::is(Bug::SingleReliefInRecess) { 2 * self.relief } else { self.relief };
         from.plus(Point { x: x * on_x, z: z * self.relief })
     }
 

@@ -219,7 +219,7 @@ impl Builder<'_, '_, '_> {
     }
 
     /// The length that a whole number of increments next to this one is.
-    pub(super) fn on_grid(&self, length: i64) -> i64 {
+    pub(crate) fn on_grid(&self, length: i64) -> i64 {
         let number: Number = self.state.units.write_length(length);
         self.state.units.length(Written::Plain(number))
     }

@@ -82,8 +82,8 @@ impl Builder<'_, '_, '_> {
     pub(crate) fn bound_steps(&mut self) {
         let plain = turnspec_oracle::vocabulary::Setup::default().limits.steps;
         let limits = &mut self.state.setup.limits;
-        let profile = if self.threads || self.cycles { &self.whole } else { &self.profile };
-        let repeats = self.state.control.jumps || self.threads || self.cycles;
+        let profile = if self.threads || self.cycles || self.lap { &self.whole } else { &self.profile };
+        let repeats = self.state.control.jumps || self.threads || self.cycles || self.lap;
         if repeats && limits.steps == plain && profile.allows(Feature::ControlStatement) {
             limits.steps = if self.choices.chance(7) {
                 self.choices.within(3, 80).unsigned_abs()

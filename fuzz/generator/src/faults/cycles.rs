@@ -77,7 +77,7 @@ impl Builder<'_, '_, '_> {
     }
 
     /// A text with its amounts and coordinates.
-    fn placed(&mut self, text: &str) -> bool {
+    pub(super) fn placed(&mut self, text: &str) -> bool {
         let mut written = String::new();
         let mut rest = text;
         while let Some(mark) = rest.find(['#', '@']) {
@@ -86,11 +86,12 @@ impl Builder<'_, '_, '_> {
             let digits = |character: char| !matches!(character, '0'..='9' | '-' | '.');
             let end = marked[1..].find(digits).map_or(marked.len(), |end| end + 1);
             let amount = (marked[1..end].parse::<f64>().unwrap_or_default() * MM as f64) as i64;
-            let base = match (marked.starts_with('@'), written.ends_with('X')) {
-                (false, _) => 0,
-                (true, true) => self.state.program(Axis::X),
-                (true, false) => self.state.program(Axis::Z),
-            };
+            let base =
+                match (marked.starts_with('@'), written.trim_end_matches(['=', 'A', 'B']).ends_with('X')) {
+                    (false, _) => 0,
+                    (true, true) => self.state.program(Axis::X),
+                    (true, false) => self.state.program(Axis::Z),
+                };
             written.push_str(&self.state.units.write_length(base + amount).text());
             rest = &marked[end..];
         }

@@ -10,6 +10,8 @@ mod control;
 mod cycle_texts;
 mod cycles;
 mod io;
+mod lap;
+mod lap_texts;
 mod motion;
 mod schedule;
 mod state;
@@ -62,7 +64,7 @@ pub(crate) fn choose(choices: &mut Choices<'_, '_>, setup: &Setup) -> Fault {
     }
 }
 
-/// Alarms of families that name their own faults (threads, cycles, contours), and of LAP, which is not generated yet.
+/// Alarms of families that name their own faults: threads, cycles, LAP, contours.
 #[rustfmt::skip]
 const OF_FAMILIES: &[Fault] = &[
     Fault::ThreadInConstantSpeed, Fault::ThreadLeadRange, Fault::ThreadData, Fault::CycleIncremental, Fault::CycleWord,
@@ -134,7 +136,8 @@ impl Builder<'_, '_, '_> {
     /// Adds the blocks of a fault.
     pub(crate) fn fault(&mut self, fault: Fault) -> bool {
         self.begin();
-        self.contour_fault(fault)
+        self.lap_fault(fault)
+            || self.contour_fault(fault)
             || self.thread_fault(fault)
             || self.cycle_fault(fault)
             || self.turret_fault(fault)

@@ -93,7 +93,7 @@ const TEXTS: &[(Fault, &[&str])] = &[
         "G91 G22 Z0 D1 L5 F1 PZ=5", "G94 G91 G22 Z50 D1 L5 F99999 PZ=5", "G95 G91 G22 Z50 D1 L5 F1 PZ=5",
     ]),
     (Fault::NotModelled, &[
-        "P5", "Q5 X1", "G00 N5", "ZA=5", "VZOFY=1", "V1=VTLCN[1]", "VMDT[1]=5", "BC=1",
+        "P5", "Q5 X1", "G00 N5", "VZOFY=1", "V1=VTLCN[1]", "VMDT[1]=5", "BC=1",
     ]),
 ];
 

@@ -12,15 +12,13 @@ use crate::state::{Axis, Mode};
 const MM: i64 = 1_000_000;
 
 impl Builder<'_, '_, '_> {
-    /// A fault of any family, mostly one of threads or contours where the program is to have them.
+    /// A fault of any family, mostly one of threads, LAP or contours where the program is to have them.
     pub(crate) fn any_fault(&mut self) -> Fault {
         if self.threads && self.choices.chance(75) {
             return self.choices.weighted(texts::FAULTS);
         }
-        match self.some_contour_fault() {
-            Some(fault) => fault,
-            None => self.cycle_fault_or_other(),
-        }
+        let own = self.some_lap_fault().or_else(|| self.some_contour_fault());
+        own.unwrap_or_else(|| self.cycle_fault_or_other())
     }
 
     /// Adds blocks with this fault.

@@ -60,6 +60,16 @@ impl Threads {
         self.divisor = 1.0;
     }
 
+    /// Forgets the stored F.
+    pub(crate) fn forget_feed(&mut self) {
+        self.feed = None;
+    }
+
+    /// Whether M75 is in force.
+    pub(crate) fn is_balanced(&self) -> bool {
+        self.pattern == 75
+    }
+
     /// Notes an S word.
     pub(crate) fn note_speed(&mut self, cutting_speed: bool, speed: i64) {
         self.speed = if cutting_speed { 0 } else { speed };

@@ -63,6 +63,8 @@ impl Turrets {
     pub(crate) fn permits(&self, kind: Kind, steady: bool) -> bool {
         match kind {
             Kind::Turret => self.machine == MachineType::TwoTurrets && !steady,
+            // Calls are refused on two saddles (E100L-AX4-12).
+            Kind::Lap => self.machine != MachineType::TwoSaddles,
             Kind::CAxis | Kind::Contour => match self.machine {
                 MachineType::OneTurret => true,
                 MachineType::TwoTurrets => self.selected == Side::A,
