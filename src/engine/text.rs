@@ -178,9 +178,13 @@ impl<'a> Reader<'a> {
     /// Goes on elsewhere in the same text.
     pub fn seek(&mut self, mark: Mark) {
         Mark { at: self.at, line: self.line, closed: self.closed } = mark;
-        if let Some(section) = self.sections.iter().find(|section| mark.at < section.end) {
-            self.limit = section.end;
+        if self.sections.is_empty() {
+            return;
         }
+        // Outside of the sections reading goes on with the next one.
+        let section = self.sections.iter().find(|section| mark.at < section.end);
+        let within = section.filter(|section| section.start.at <= mark.at);
+        self.limit = within.map_or(mark.at, |section| section.end);
     }
 
     /// Reads nothing but some sections of the text, from the beginning of the first one.

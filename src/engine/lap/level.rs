@@ -142,24 +142,31 @@ impl Interpreter<'_> {
         Ok(())
     }
 
-    /// Where a level is cut between two runs: at the stock and at both ends, a clearance further each, without gaps
-    /// that those close (E100L-AP4-05).
+    /// Where a level is cut on the way between two runs: at the stock and at both ends, a clearance further each, without
+    /// gaps that those close (E100L-AP4-05).
     fn stretches(&mut self, job: &Job, blank: &Outline, level: i64, (from, to): Stretch) -> Vec<Stretch> {
-        let slow = &mut self.slow;
-        if from.cmp(to, slow) != Ordering::Less {
-            return vec![(from, to)];
+        if from.cmp(to, &mut self.slow) != Ordering::Greater {
+            return self.parted(job, blank, level, (from, to));
         }
+        let mut parted = self.parted(job, blank, level, (to, from));
+        parted.reverse();
+        parted.into_iter().map(|(low, high)| (high, low)).collect()
+    }
+
+    /// The same between a low and a high run.
+    fn parted(&mut self, job: &Job, blank: &Outline, level: i64, (low, high): Stretch) -> Vec<Stretch> {
+        let slow = &mut self.slow;
         let clearance = job.clearance_run();
         let mut joined: Vec<Stretch> = Vec::new();
         let stock = stock(blank, blank.level(level).1);
-        let parts = std::iter::once((from, from)).chain(stock).chain([(to, to)]);
+        let parts = std::iter::once((low, low)).chain(stock).chain([(high, high)]);
         for (begin, end) in parts {
-            if end.cmp(from, slow) == Ordering::Less || begin.cmp(to, slow) == Ordering::Greater {
+            if end.cmp(low, slow) == Ordering::Less || begin.cmp(high, slow) == Ordering::Greater {
                 continue;
             }
             let before = if planted::is(Bug::StockWithoutClearance) { 0 } else { clearance };
-            let begin = begin.plus(-before).max(from, slow);
-            let end = end.plus(clearance).min(to, slow);
+            let begin = begin.plus(-before).max(low, slow);
+            let end = end.plus(clearance).min(high, slow);
             match joined.last_mut() {
                 Some((_, last)) if begin.cmp(*last, slow) != Ordering::Greater => *last = last.max(end, slow),
                 _ => joined.push((begin, end)),
