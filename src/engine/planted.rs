@@ -139,7 +139,7 @@ bugs! {
     NamesBeyondEnd 60000 "jumps" [GOTO_02] "A jump looks for its name beyond the end of the program too."
     SkippedNoTarget 1100 "jumps" [GOTO_02] "A jump does not find the name of a block that is skipped."
     PositiveConditions 1900 "jumps" [IFST_04] "A condition is true for positive values only."
-    DefinedHere 8000 "jumps" [IFST_02] "IF with a local name asks for entries of the program that runs alone."
+    DefinedHere 25000 "jumps" [IFST_02] "IF with a local name asks for entries of the program that runs alone."
     FalseNeedsName 300 "jumps" [IFST_03] "The name of an IF has to exist although its condition is false."
     OneStepMore 300 "jumps" [GOTO_03] "A run may begin one block more than the limit of its steps."
     AheadNoStep 3000 "jumps" [GOTO_03] "A block that was looked ahead at is no step when the run arrives there."
