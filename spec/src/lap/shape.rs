@@ -103,10 +103,11 @@ impl Shape {
         (&self.from.1 + (run - &self.from.0) / travel * (&self.to.1 - &self.from.1)).into()
     }
 
-    /// Which of two of its points comes first.
+    /// Which of two of its points comes first: at the run of its end a point of the circle before its end.
     pub fn order(&self, first: &Place, second: &Place) -> Ordering {
         if !self.is_wall() {
-            return first.run.cmp(&second.run);
+            let is_end = |point: &Place| self.loose_end().is_some_and(|end| end == *point);
+            return first.run.cmp(&second.run).then_with(|| is_end(first).cmp(&is_end(second)));
         }
         let rising = first.height.cmp(&second.height);
         if self.to.1 < self.from.1 { rising.reverse() } else { rising }
