@@ -17,7 +17,7 @@ macro_rules! families {
 }
 
 families! {
-    draw areas bores contours corners counts decimals feeds frame infeeds labels leads limits modal noses places products
+    draw areas bores contours corners counts decimals feeds frame infeeds labels leads levels limits modal noses places products
     reading_sets rectangles roots rounding rule_sets run_outs segments sequence_names sides signs speeds surds
     thread_courses tools turns units words
 }

@@ -8,6 +8,7 @@ pub mod area;
 pub mod between;
 pub mod decimal_code;
 mod digits;
+pub mod lap;
 mod limit;
 pub mod mirror;
 pub mod modes;

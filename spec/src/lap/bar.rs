@@ -13,6 +13,7 @@ use super::number::Number;
 use super::roles::{Pass, Roles};
 use crate::emission::Emission;
 use crate::fault::{Outcome, fail};
+use crate::integer::lap::below;
 use crate::state::State;
 use crate::thread::Cited;
 use crate::vocabulary::AlarmName;
@@ -66,7 +67,7 @@ impl Ground {
     /// The level of the pass below another level.
     pub fn level_below(&self, upper: i64) -> Level {
         let cut = self.depths.below(upper);
-        Level { level: upper - self.job.plane.up * cut.depth, upper, feed: cut.feed }
+        Level { level: below(upper, self.job.plane.up, cut.depth), upper, feed: cut.feed }
     }
 
     fn cited_below(&self, upper: i64) -> Cited {

@@ -2,6 +2,7 @@
 
 use super::job::Job;
 use crate::fault::{Fault, Outcome};
+use crate::integer::lap::has_reached;
 use crate::state::{State, StoredFeed};
 use crate::thread::Cited;
 use crate::vocabulary::AlarmName;
@@ -49,7 +50,7 @@ impl Depths {
 
     /// What is cut below a level.
     pub fn below(&self, level: i64) -> Cut {
-        let reached = self.changes.iter().find(|(point, _)| self.up * (level - point) <= 0);
+        let reached = self.changes.iter().find(|(point, _)| has_reached(level, *point, self.up));
         reached.map_or(self.first, |(_, cut)| *cut)
     }
 

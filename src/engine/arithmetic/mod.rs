@@ -13,6 +13,7 @@ pub mod feed;
 pub mod frame;
 pub mod idle;
 pub mod infeed;
+pub mod lap;
 pub mod lead;
 pub mod lead_axis;
 pub mod limit;

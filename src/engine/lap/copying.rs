@@ -4,6 +4,7 @@
 use turnspec_oracle::vocabulary::{Part, Sink};
 
 use crate::engine::Interpreter;
+use crate::engine::arithmetic::lap;
 use crate::engine::fault::Fault;
 
 use super::job::Job;
@@ -22,7 +23,7 @@ impl Interpreter<'_> {
         let mut count = Count::default();
         let mut level = start_i;
         loop {
-            level = level.saturating_sub(axes.infeed * job.depth);
+            level = lap::next_level(level, axes.infeed, job.depth);
             let last = !job.is_above(level, from_i);
             let (over, rise) = job.on_start_line(level);
             let begin = match last {

@@ -3,6 +3,8 @@
 
 use turnspec_oracle::vocabulary::Sense;
 
+use crate::engine::arithmetic::lap;
+
 use super::outline::{Circle, Element};
 use super::plane::{Axes, Spot};
 use super::value::Value;
@@ -26,9 +28,9 @@ impl Span {
                 Value::Root { whole: centre.height, side: up, square: (square - along * along).max(0) }
             }
             None => {
-                let length = self.to.run - self.from.run;
-                let rise = (run - self.from.run) * (self.to.height - self.from.height);
-                Value::ratio(self.from.height * length + rise, length)
+                let point = |spot: Spot| (spot.run, spot.height);
+                let (over, under) = lap::across(point(self.from), point(self.to), run);
+                Value::ratio(over, under)
             }
         }
     }

@@ -6,6 +6,7 @@ use turnspec_oracle::vocabulary::rule_ids;
 use turnspec_oracle::vocabulary::{AlarmName, ContourFeed, Label, RuleId};
 
 use crate::engine::Interpreter;
+use crate::engine::arithmetic::lap;
 use crate::engine::arithmetic::plane::Point;
 use crate::engine::fault::Fault;
 use crate::engine::planted::{self, Bug};
@@ -75,11 +76,8 @@ pub struct Job {
 impl Job {
     /// Depth and feed below a level.
     pub fn below(&self, level: i64) -> Cut {
-        let sense = self.axes.infeed;
-        let reached = |change: &&Change| {
-            i128::from(sense) * (i128::from(level) - i128::from(change.place))
-                <= -i128::from(planted::is(Bug::ChangeBehindPoint))
-        };
+        let beyond = i128::from(planted::is(Bug::ChangeBehindPoint));
+        let reached = |change: &&Change| lap::is_reached(level, change.place, self.axes.infeed, beyond);
         match self.changes.iter().flatten().find(reached) {
             Some(change) => Cut { depth: change.depth, feed: change.feed, differs: change.differs },
             None => Cut { depth: self.depth, feed: self.feed, differs: false },
@@ -94,12 +92,7 @@ impl Job {
     /// The coordinate of the cutting axis, on the line from the AP start to the start of the rough contour, at a
     /// level: a quotient of two numbers, the second of which is not zero.
     pub fn on_start_line(&self, level: i64) -> (i128, i128) {
-        let (start_i, start_k) = self.axes.split(self.start);
-        let (from_i, from_k) = self.axes.split(self.contour.start);
-        let wide = |value: i64| i128::from(value);
-        let rise = wide(start_i) - wide(from_i);
-        let over = wide(from_k) * rise + (wide(start_k) - wide(from_k)) * (wide(level) - wide(from_i));
-        (over, rise)
+        lap::on_line(self.axes.split(self.start), self.axes.split(self.contour.start), level)
     }
 }
 

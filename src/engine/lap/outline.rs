@@ -5,6 +5,7 @@ use std::cmp::Ordering;
 
 use turnspec_oracle::vocabulary::Sense;
 
+use crate::engine::arithmetic::lap;
 use crate::engine::arithmetic::plane::Point;
 use crate::engine::arithmetic::surd;
 use crate::engine::state::StoredFeed;
@@ -114,8 +115,9 @@ impl Piece {
             if rise == 0 {
                 return Value::whole(self.from.run);
             }
-            let along = (level - self.from.height) * (self.to.run - self.from.run);
-            return Value::ratio(self.from.run * rise + along, rise);
+            let turned = |spot: Spot| (spot.height, spot.run);
+            let (over, under) = lap::across(turned(self.from), turned(self.to), level);
+            return Value::ratio(over, under);
         };
         let above = level - circle.centre.height;
         let square = (circle.square - above * above).max(0);

@@ -1,5 +1,6 @@
 //! The plane of a cycle: heights from which the tool comes, runs in which it cuts (execution of LAP, 8).
 
+use crate::engine::arithmetic::lap;
 use crate::engine::arithmetic::plane::Point;
 
 use super::value::Value;
@@ -35,22 +36,22 @@ impl Axes {
 
     /// How many half nanometres a nanometre on the infeed axis is.
     pub fn infeed_halves(self) -> i128 {
-        if self.along { 1 } else { 2 }
+        lap::halves(self.along)
     }
 
     /// The same of the cutting axis.
     pub fn cutting_halves(self) -> i128 {
-        if self.along { 2 } else { 1 }
+        lap::halves(!self.along)
     }
 
     /// The height of a coordinate on the infeed axis.
     pub fn height(self, infeed: i64) -> i128 {
-        i128::from(self.infeed) * i128::from(infeed) * self.infeed_halves()
+        lap::scaled(infeed, self.infeed, self.along)
     }
 
     /// The run of a coordinate on the cutting axis.
     pub fn run(self, cutting: i64) -> i128 {
-        i128::from(self.cutting) * i128::from(cutting) * self.cutting_halves()
+        lap::scaled(cutting, self.cutting, !self.along)
     }
 
     /// A point of the plane, of at most 2^40 in either direction: what is beyond lies out of the range of every address,
@@ -74,6 +75,6 @@ impl Axes {
 
     /// Whether the sense of an arc, seen with runs to the right and heights up, is that of its event.
     pub fn keeps_sense(self) -> bool {
-        (self.infeed * self.cutting > 0) == self.along
+        lap::keeps_sense(self.infeed, self.cutting, self.along)
     }
 }

@@ -4,6 +4,7 @@
 use turnspec_oracle::vocabulary::{Part, Sink};
 
 use crate::engine::Interpreter;
+use crate::engine::arithmetic::lap;
 use crate::engine::fault::Fault;
 use crate::engine::planted::{self, Bug};
 
@@ -47,7 +48,7 @@ impl Interpreter<'_> {
                 self.rapid(job, count, (Part::Return, end, own), sink)?;
             }
             let cut = job.below(recess.level);
-            let level = recess.level.saturating_sub(job.axes.infeed * cut.depth);
+            let level = lap::next_level(recess.level, job.axes.infeed, cut.depth);
             let pass = Pass { upper: recess.level, level, cut, deeper: true, last: false, to_end: false };
             self.begin_rough_pass(count, cut.differs)?;
             let mut met = Vec::new();

@@ -7,6 +7,7 @@ use turnspec_oracle::vocabulary::rule_ids::GOTO_03;
 use turnspec_oracle::vocabulary::{AlarmName, Part, ReadingSet, RuleSet, Sink};
 
 use crate::engine::Interpreter;
+use crate::engine::arithmetic::lap;
 use crate::engine::arithmetic::plane::Point;
 use crate::engine::fault::Fault;
 use crate::engine::planted::{self, Bug};
@@ -47,7 +48,7 @@ impl Interpreter<'_> {
         let mut count = Count::default();
         loop {
             let cut = job.below(upper);
-            let level = upper.saturating_sub(job.axes.infeed * cut.depth);
+            let level = lap::next_level(upper, job.axes.infeed, cut.depth);
             let last = !job.is_above(level, from_i);
             let to_end = job.blank.is_some() && count.number == 0;
             let pass = Pass { upper, level, cut, deeper: false, last, to_end };
