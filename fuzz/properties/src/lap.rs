@@ -22,12 +22,15 @@ use crate::{Verdict, require};
 /// heights with what the contour rises or falls within 3 nm of run.
 ///
 /// 1. **The contour is spared.** No motion is below the rough contour (the contour with its allowances), none at a feed goes
-///    behind its end. A relief goes off by r, or by 2r on X, and back by r. The texts let some motions enter: a relief
-///    whose way back leads into a slope that the pass came down (E100L-AP1-06 lifts only behind it), with what follows up to
-///    the first point above the contour; the straight ways from and to an AP start that is lower than the contour or its blank
-///    (E100L-AP4-04, E100L-LAP-06), in modes IV and V; all in front of a contour that an allowance has brought before the AP
-///    start (E100L-LAP-20); in mode II every pass over a contour that falls (E100L-AP2-03, E100L-AP2-06); in mode V with W = c the passes along the
-///    blank go through a wall in which the contour begins, since they look for it behind their beginning (how LAP runs, 12).
+///    behind its end. A relief goes off by r, or by 2r on X, and back by r. The texts let some motions enter:
+///    - a relief whose way back leads into a slope that the pass came down, since E100L-AP1-06 lifts only behind it, and what
+///      follows up to the end of the next return, infeed or way home;
+///    - in modes IV and V the straight ways from and to an AP start that is lower than the contour or its blank (E100L-AP4-04,
+///      E100L-LAP-06);
+///    - all, where an allowance has brought the contour before the AP start (E100L-LAP-20);
+///    - in mode II every pass over a contour that falls (E100L-AP2-03, E100L-AP2-06);
+///    - in mode V with W = c the passes along the blank, through a wall in which the contour begins: they look for it only
+///      behind the run in which they begin (how LAP runs, 12).
 /// 2. **Nothing is left.** Parts `contour` run along all of the rough contour, in mode I up to where it first reaches the
 ///    height of the AP start. Over every run the tool has come down in layers of at most the depth in force: from the AP start
 ///    in mode I, from the blank in modes IV and V. In front of the contour, before the line to the AP start, stock stays

@@ -28,7 +28,7 @@ impl<'a> Arbitrary<'a> for Job {
             _ => top + over(bytes)?,
         };
         let start = Way {
-            run: -*bytes.choose(&[0, 0, 1_000, 4_000, 30_000])?,
+            run: -*bytes.choose(&[0, 1_200, 4_000, 4_000, 30_000])?,
             height: height.max(allowance.height + *bytes.choose(&[2, 1_000])?),
         };
         let first = Way { run: *bytes.choose(&[0, 0, 500])?, height: top.max(2) + over(bytes)? };
@@ -41,7 +41,7 @@ impl<'a> Arbitrary<'a> for Job {
         let step = match bytes.int_in_range(0..=3)? {
             0 => (start.height - bytes.choose(&heights)?).abs() / bytes.int_in_range(1..=4)?,
             1 => depth / bytes.int_in_range(1..=6)?,
-            _ => bytes.int_in_range(1..=depth)?,
+            _ => bytes.int_in_range(1..=depth / 3 + 1)?,
         };
         let least = depth / 20 + 4;
         let mut changes = Vec::new();

@@ -106,10 +106,11 @@ fn starts_low(job: &Job, stroke: &Stroke, number: usize) -> bool {
     low && (stroke.part == Part::Home || (job.mode == Mode::HighSpeed && number == 0))
 }
 
-/// The points of a leg at the runs at which the legs of a contour end, or are highest or lowest.
+/// The points of a leg at the runs at which the legs of a contour end, or are highest or lowest, and close beside them.
 fn over_ends(rough: &[Leg], leg: Leg) -> impl Iterator<Item = Spot> {
     let (first, last) = leg.runs();
-    let runs = rough.iter().flat_map(|leg| [Some(leg.to.run), leg.bow.map(|bow| bow.centre.run)]).flatten();
+    let ends = rough.iter().flat_map(|leg| [Some(leg.to.run), leg.bow.map(|bow| bow.centre.run)]).flatten();
+    let runs = ends.flat_map(|run| [-2.5, 0.0, 2.5].map(|beside| run + beside * LATCHED));
     let within: Vec<f64> = runs.filter(|run| first < *run && *run < last).collect();
     within.into_iter().map(move |run| leg.point(run))
 }

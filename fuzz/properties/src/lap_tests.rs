@@ -165,6 +165,12 @@ fn another_number_of_passes_is_noticed() {
         let last = strokes.iter().map(|stroke| stroke.pass).max().unwrap_or_default();
         assert!(number(&job, None, &without(last, &strokes)).is_err(), "{mode:?}");
     }
+    let job = grooved(Mode::Bar);
+    let mut longer = own(&job);
+    let home = longer.pop().expect("there is a way home");
+    longer.extend([*longer.last().expect("there are passes"); 60]);
+    longer.push(home);
+    assert!(number(&job, None, &longer).is_err_and(|message| message.contains("motions, more than")));
     let steep = Job { contour: [Element::line(2, 4), Element::line(2, -4)].repeat(11), ..shaft(Mode::Bar) };
     let events = trace(&steep.case());
     assert_eq!(number(&steep, alarm(&events), &strokes(&steep, &events)), Ok(()));
