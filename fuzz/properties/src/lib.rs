@@ -11,6 +11,19 @@ mod contours;
 mod cycles;
 mod differential;
 mod expression;
+mod lap;
+mod lap_cuts;
+mod lap_draw;
+mod lap_job;
+mod lap_pairs;
+mod lap_passes;
+mod lap_plane;
+mod lap_programs;
+mod lap_shape;
+mod lap_strokes;
+#[cfg(test)]
+mod lap_tests;
+mod lap_threads;
 mod metamorphic;
 mod parse;
 mod path;
@@ -53,6 +66,7 @@ pub const PROPERTIES: &[Property] = &[
     Property { name: "perturbation", holds: perturbation::a_small_change_moves_little },
     Property { name: "threads", holds: threads::threads_are_whole },
     Property { name: "contours", holds: contours::contours_are_true },
+    Property { name: "lap", holds: lap::rough_turning_is_true },
     Property { name: "cycles", holds: cycles::holes_are_whole },
     Property { name: "metamorphic", holds: metamorphic::rewritten_programs_do_the_same },
 ];

@@ -7,7 +7,7 @@ use turnspec_oracle::vocabulary::{
 };
 
 use crate::differential::show;
-use crate::shape::{is_of_cycle, motion, trace};
+use crate::shape::{is_of_cycle, is_of_lap, motion, trace};
 use crate::{Verdict, require};
 
 /// Alarms that a coordinate decides by a threshold.
@@ -67,7 +67,8 @@ const STEADY: &[RuleId] = &[NRC_15, NRC_26, NRC_30, NRC_44, NRC_45, NRC_66, NRC_
 ///    threshold shows as an alarm of `THRESHOLDS` in one of them (or as another alarm that both have at the
 ///    same line), as an element of a corner that has no length in one of them, as a chamfer of a thread that reaches the level of
 ///    the cycle start in one of them only, as a line on the face that meets the centre or lies on one ray with it in one of them,
-///    as another number of pecks, passes or grooves in a block of a cycle (the property `cycles` says where that changes), or as
+///    as another number of pecks, passes or grooves in a block of a cycle (the property `cycles` says where that changes), as
+///    a call of LAP, of which the property `lap` tells, or as
 ///    a zero shift that is
 ///    zero in one of them at the reset.
 /// 2. **Distance.** Up to that place, and up to the first end point that is computed from an angle, from a
@@ -96,7 +97,10 @@ pub(crate) fn a_small_change_moves_little(input: &[u8]) -> Verdict {
 }
 
 fn moves_little(pair: &Nudged) -> Verdict {
-    let (before, after) = (trace(&pair.before), trace(&pair.after));
+    // What a call of LAP makes of a coordinate the property `lap` says.
+    let up_to_lap =
+        |case| -> Vec<Event> { trace(case).into_iter().take_while(|event| !is_of_lap(event)).collect() };
+    let (before, after) = (up_to_lap(&pair.before), up_to_lap(&pair.after));
     let same = same_shape(&before, &after);
     let fail = |message: String| format!("{message}\n{}\n{}", show(&pair.before), show(&pair.after));
     let count = same.map_err(fail)?;

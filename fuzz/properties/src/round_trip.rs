@@ -88,6 +88,7 @@ fn kinds(body: &Body) -> Body {
     let mut body = body.clone();
     if let Body::Items(items)
     | Body::Noex(items)
+    | Body::ContourCall(_, items)
     | Body::Statement(Statement::Call(_, items) | Statement::Modin(_, items)) = &mut body
     {
         for item in items {
@@ -99,7 +100,7 @@ fn kinds(body: &Body) -> Body {
 
 #[cfg(test)]
 mod tests {
-    use super::{reads_back, spellings};
+    use super::{reads_back, spellings, trees};
     use turnspec_generator::{Case, Respelled};
     use turnspec_oracle::syntax::Body;
     use turnspec_oracle::vocabulary::{Label, Setup};
@@ -117,6 +118,12 @@ mod tests {
         assert_eq!(verdict("M08\nX999999 S70000", "M08\nS70000 X999999", true), Ok(()));
         assert!(verdict("M08\nX999999 S70000", "M08\nS70000 X999999", false).is_err());
         assert!(verdict("M08\nJ1", "M08\nM02", true).is_err());
+    }
+
+    #[test]
+    fn calls_of_contours_read_back_whatever_their_blanks() {
+        let program = b"N1 G85  NAT1   D4F0.3 G84  XA=30\nM02".to_vec();
+        assert_eq!(trees(&Case { setup: Setup::default(), program }), Ok(()));
     }
 
     #[test]

@@ -9,7 +9,7 @@ use turnspec_oracle::Run;
 use turnspec_oracle::vocabulary::{Action, Ending, Event, MachineType, Part, Side, TapeCode};
 
 use crate::differential::show;
-use crate::shape::{is_of_cycle, is_of_thread, is_straight, motion};
+use crate::shape::{calls_contours, is_of_cycle, is_of_thread, is_straight, motion};
 use crate::{Verdict, require};
 
 /// The most events of a block, its assignments and alarm aside, by the order of its steps:
@@ -50,7 +50,8 @@ const MODAL_CALLS: usize = 8;
 /// at most two steps more than ends of block; a block of n characters emits at most 37 + 2⌊n/4⌋ events, and one more if
 /// it is an alarm; and blocks follow the order of the text. A pass of G71 or G72 but the first of its block is a step too, and has six
 /// events at most; so is a cutting pass of a grooving, drilling or tapping cycle, with fourteen. On two saddles there are four times as many steps at most, a
-/// block has nine events more, and the order is that of the text for each side up to the end of both. With control flow a step takes at least one block, of which
+/// block has nine events more, and the order is that of the text for each side up to the end of both. With control flow, a call of
+/// LAP included, whose passes are steps too, a step takes at least one block, of which
 /// a run begins no more than `limits.steps`; a block has at most 158 characters, and at most eight programs of modal calls
 /// begin behind it. Events are numbered from 1 without a gap, `end` or `alarm` comes last and nowhere else but at the
 /// end of a program that a schedule has selected, and a step after the end does nothing. All this of the oracle and of the engine, on a program of the generator and on the bytes
@@ -83,7 +84,8 @@ fn bounded(case: &Case, mut step: impl FnMut(&mut Vec<Event>) -> Option<Ending>)
         (false, true) => lines(case) + 2,
         (false, false) => lines(case) + 2 + case.setup.limits.steps,
     };
-    let most = if may_repeat(case) { most + case.setup.limits.steps } else { most };
+    let calls = calls_contours(case);
+    let most = if calls || may_repeat(case) { most + case.setup.limits.steps } else { most };
     let mut events = Vec::new();
     let Some(ending) = (0..most).find_map(|_| step(&mut events)) else {
         return Err(format!("no end after {most} steps"));
@@ -94,7 +96,7 @@ fn bounded(case: &Case, mut step: impl FnMut(&mut Vec<Event>) -> Option<Ending>)
         "a step after the end does something".to_owned()
     })?;
     in_order(&events, ending)?;
-    if saddles {
+    if saddles && !calls {
         return along_the_sides(&events).and_then(|()| few_a_block(&events, BLOCK_OF_A_SIDE));
     }
     if straight {

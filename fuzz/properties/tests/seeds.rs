@@ -35,7 +35,7 @@ macro_rules! each_on_seeds {
 }
 
 each_on_seeds! {
-    structured raw parse round_trip setup trace expression termination perturbation threads contours cycles metamorphic
+    structured raw parse round_trip setup trace expression termination perturbation threads contours lap cycles metamorphic
 }
 
 /// Bytes that make up programs and set-ups, and some that do not belong there.
