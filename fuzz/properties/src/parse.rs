@@ -53,7 +53,7 @@ fn blocks(case: &Case) -> Verdict {
         (end, line) = (place.end, place.line);
         let mut sequence = Label::default();
         let body = parse(&text, &case.setup, &mut sequence).map(|block| block.body).ok();
-        if let Some(Body::Items(items) | Body::Noex(items)) = &body {
+        if let Some(Body::Items(items) | Body::Noex(items) | Body::ContourCall(_, items)) = &body {
             in_block(items.iter().map(|item| item.span.clone()), place)?;
         }
         accepted = accepted.and_then(|before| before.with(body.as_ref(), sequence));
@@ -86,7 +86,11 @@ impl Accepted {
         self.began |= *body != Body::Empty;
         self.count += u64::from(matches!(
             body,
-            Body::Items(_) | Body::Noex(_) | Body::Statement(_) | Body::Communication(_)
+            Body::Items(_)
+                | Body::Noex(_)
+                | Body::ContourCall(..)
+                | Body::Statement(_)
+                | Body::Communication(_)
         ));
         Some(self)
     }
