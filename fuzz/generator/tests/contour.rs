@@ -1,9 +1,10 @@
 //! Generated programs reach contours with the C axis and coordinate conversion: how many, how deep, and every rule and alarm
 //! of them.
 
+mod deeds;
 mod support;
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
 use turnspec_generator::{Case, case_from_seed};
 use turnspec_oracle::vocabulary::rule_ids::*;
@@ -11,6 +12,7 @@ use turnspec_oracle::vocabulary::{
     Action, AlarmName, ContourPlane, Event, FrameCause, Motion, Part, RuleId, Sense, SidePlane,
 };
 
+use deeds::Deeds;
 use support::Citations;
 
 /// Programs in which every rule has to be met.
@@ -88,13 +90,11 @@ const DETAILS: &[&str] = &[
 #[derive(Default)]
 struct Reached {
     programs: u64,
-    /// Programs with a contour or a conversion, those of them that ended, and their events.
+    /// Programs with a contour or a conversion, and their events.
     contours: u64,
-    ended: u64,
     events: u64,
     motions: u64,
-    endings: BTreeMap<String, u64>,
-    did: BTreeMap<&'static str, u64>,
+    deeds: Deeds,
 }
 
 impl Reached {
@@ -109,27 +109,7 @@ impl Reached {
         self.contours += 1;
         self.events += events.len() as u64;
         self.motions += motions;
-        let ending = match events.last().map(|event| event.action) {
-            Some(Action::Alarm(alarm)) => {
-                let rules = events.last().map(|event| event.rules.as_slice().to_vec()).unwrap_or_default();
-                let rule = rules.first().map(ToString::to_string).unwrap_or_default();
-                format!("{} {} {rule}", alarm.name, alarm.detail)
-            }
-            _ => "end".to_owned(),
-        };
-        self.ended += u64::from(ending == "end");
-        *self.endings.entry(ending).or_default() += 1;
-        for deed in deeds(case, &events) {
-            *self.did.entry(deed).or_default() += 1;
-        }
-    }
-
-    /// Demands that at least so many programs did this.
-    fn demand(&self, list: &[(&str, u64)]) {
-        for (deed, least) in list {
-            let count = self.did.get(deed).copied().unwrap_or_default();
-            assert!(count >= *least, "{count} programs: {deed}");
-        }
+        self.deeds.add(&events, deeds(case, &events));
     }
 }
 
@@ -249,17 +229,16 @@ fn programs_with_contours_are_many_and_deep() {
     const SOME: u64 = 10_000;
     let mut reached = Reached::default();
     (0..SOME).map(case_from_seed).for_each(|case| reached.add(&case));
-    let Reached { programs, contours, ended, events, motions, .. } = reached;
+    let Reached { programs, contours, events, motions, deeds } = reached;
+    let ended = deeds.ended;
     println!(
         "{programs} programs, {contours} with contours, {ended} of them ended, {events} events, {motions} motions"
     );
-    let mut endings: Vec<_> = reached.endings.iter().collect();
-    endings.sort_by_key(|(_, count)| std::cmp::Reverse(**count));
-    println!("{:?}\n{endings:#?}", reached.did);
+    println!("{deeds:?}");
     assert!((SOME * 4..SOME * 9).contains(&(contours * 100)), "{contours} programs");
     assert!(ended * 100 > contours * 60, "{ended} ended");
     assert!(events > contours * 25 && motions > contours * 5, "{events} events, {motions} motions");
-    reached.demand(&[
+    deeds.demand(&[
         ("face arc by X and C", 100),
         ("face arc by X and Y", 60),
         ("face arc on a ray", 10),

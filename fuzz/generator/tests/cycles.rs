@@ -1,9 +1,10 @@
 //! Generated programs reach grooving, drilling and tapping cycles and those of driven tools: how many, how deep, and
 //! every rule and alarm of them.
 
+mod deeds;
 mod support;
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
 use turnspec_generator::{Case, case_from_seed};
 use turnspec_oracle::vocabulary::rule_ids::*;
@@ -11,6 +12,7 @@ use turnspec_oracle::vocabulary::{
     Action, AlarmName, Event, G184Tapping, Motion, Part, Reading, RuleId, Side,
 };
 
+use deeds::Deeds;
 use support::Citations;
 
 /// Programs in which every rule has to be met.
@@ -105,13 +107,11 @@ const DETAILS: &[(AlarmName, &str)] = &[
 #[derive(Default)]
 struct Reached {
     programs: u64,
-    /// Programs with a cycle, those of them that ended, their events, and those of cycles.
+    /// Programs with a cycle, their events, and those of cycles.
     cycles: u64,
-    ended: u64,
     events: u64,
     motions: u64,
-    endings: BTreeMap<String, u64>,
-    did: BTreeMap<&'static str, u64>,
+    deeds: Deeds,
 }
 
 impl Reached {
@@ -125,23 +125,7 @@ impl Reached {
         self.cycles += 1;
         self.events += events.len() as u64;
         self.motions += events.iter().filter(|event| is_of_cycle(event)).count() as u64;
-        let ending = match events.last().map(|event| event.action) {
-            Some(Action::Alarm(alarm)) => format!("{} {}", alarm.name, alarm.detail),
-            _ => "end".to_owned(),
-        };
-        self.ended += u64::from(ending == "end");
-        *self.endings.entry(ending).or_default() += 1;
-        for deed in deeds(case, &events) {
-            *self.did.entry(deed).or_default() += 1;
-        }
-    }
-
-    /// Demands that at least so many programs did this.
-    fn demand(&self, list: &[(&str, u64)]) {
-        for (deed, least) in list {
-            let count = self.did.get(deed).copied().unwrap_or_default();
-            assert!(count >= *least, "{count} programs: {deed}");
-        }
+        self.deeds.add(&events, deeds(case, &events));
     }
 }
 
@@ -256,13 +240,14 @@ fn programs_with_cycles_are_many_and_deep() {
     const SOME: u64 = 10_000;
     let mut reached = Reached::default();
     (0..SOME).map(case_from_seed).for_each(|case| reached.add(&case));
-    let Reached { cycles, ended, events, motions, .. } = reached;
+    let Reached { cycles, events, motions, deeds, .. } = reached;
+    let ended = deeds.ended;
     println!("{cycles} programs, {ended} ended, {events} events, {motions} motions of cycles");
-    println!("{:?}\n{:?}", reached.did, reached.endings);
+    println!("{deeds:?}");
     assert!((SOME * 6..SOME * 11).contains(&(cycles * 100)), "{cycles} programs of {SOME}");
     assert!(ended * 100 > cycles * 60, "{ended} of {cycles} ended");
     assert!(events > cycles * 80 && motions > cycles * 40, "{events} events, {motions} of cycles");
-    reached.demand(&[
+    deeds.demand(&[
         ("G179", 33),
         ("G181", 44),
         ("G182", 40),

@@ -1,13 +1,15 @@
 //! Generated programs reach LAP: how many, how deep, and every rule and alarm of it.
 
+mod deeds;
 mod support;
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
 use turnspec_generator::{Case, case_from_seed};
 use turnspec_oracle::vocabulary::rule_ids::*;
 use turnspec_oracle::vocabulary::{Action, AlarmName, Event, Part, RuleId};
 
+use deeds::Deeds;
 use support::Citations;
 
 /// Programs in which every rule has to be met.
@@ -109,13 +111,11 @@ const DETAILS: &[&str] = &[
 /// What the programs of many seeds did.
 #[derive(Default)]
 struct Reached {
-    /// Programs with LAP, those of them that ended, their events, and those of LAP.
+    /// Programs with LAP, their events, and those of LAP.
     programs: u64,
-    ended: u64,
     events: u64,
     motions: u64,
-    endings: BTreeMap<String, u64>,
-    did: BTreeMap<&'static str, u64>,
+    deeds: Deeds,
 }
 
 impl Reached {
@@ -129,23 +129,8 @@ impl Reached {
         self.programs += 1;
         self.events += events.len() as u64;
         self.motions += motions;
-        let ending = match events.last().map(|event| event.action) {
-            Some(Action::Alarm(alarm)) => format!("{} {}", alarm.name, alarm.detail),
-            _ => "end".to_owned(),
-        };
-        self.ended += u64::from(ending == "end");
-        *self.endings.entry(ending).or_default() += 1;
-        for deed in events.iter().flat_map(|event| deeds(case, event)).collect::<BTreeSet<_>>() {
-            *self.did.entry(deed).or_default() += 1;
-        }
-    }
-
-    /// Demands that at least so many programs did this.
-    fn demand(&self, list: &[(&str, u64)]) {
-        for (deed, least) in list {
-            let count = self.did.get(deed).copied().unwrap_or_default();
-            assert!(count >= *least, "{count} programs: {deed}");
-        }
+        let deeds: BTreeSet<_> = events.iter().flat_map(|event| deeds(case, event)).collect();
+        self.deeds.add(&events, deeds);
     }
 }
 
@@ -214,13 +199,14 @@ fn programs_with_lap_are_many_and_deep() {
     const SOME: u64 = 10_000;
     let mut reached = Reached::default();
     (0..SOME).map(case_from_seed).for_each(|case| reached.add(&case));
-    let Reached { programs, ended, events, motions, .. } = reached;
+    let Reached { programs, events, motions, deeds } = reached;
+    let ended = deeds.ended;
     println!("{programs} programs, {ended} ended, {events} events, {motions} motions of LAP");
-    println!("{:?}\n{:?}", reached.did, reached.endings);
+    println!("{deeds:?}");
     assert!((SOME * 5..SOME * 10).contains(&(programs * 100)), "{programs} programs of {SOME}");
     assert!(ended * 100 > programs * 60, "{ended} of {programs} ended");
     assert!(events > programs * 80 && motions > programs * 50, "{events} events, {motions} of LAP");
-    reached.demand(&[
+    deeds.demand(&[
         ("mode I", 200),
         ("over a recess", 80),
         ("recess", 80),

@@ -1,5 +1,6 @@
 //! Generated programs reach thread cutting: how many, how deep, and every rule and alarm of it.
 
+mod deeds;
 mod support;
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -10,6 +11,7 @@ use turnspec_oracle::vocabulary::{
     Action, AlarmName, BalancedInfeed, Event, LeadAxis, Motion, Part, RuleId, Side,
 };
 
+use deeds::Deeds;
 use support::Citations;
 
 /// Programs in which every rule has to be met.
@@ -82,13 +84,11 @@ const DETAILS: &[(AlarmName, &str)] = &[
 #[derive(Default)]
 struct Reached {
     programs: u64,
-    /// Programs with a thread, those of them that ended, and their events.
+    /// Programs with a thread, and their events.
     threads: u64,
-    ended: u64,
     events: u64,
     passes: u64,
-    endings: BTreeMap<String, u64>,
-    did: BTreeMap<&'static str, u64>,
+    deeds: Deeds,
 }
 
 impl Reached {
@@ -103,23 +103,7 @@ impl Reached {
         self.threads += 1;
         self.events += events.len() as u64;
         self.passes += events.iter().filter(|event| cuts(event)).count() as u64;
-        let ending = match events.last().map(|event| event.action) {
-            Some(Action::Alarm(alarm)) => format!("{} {}", alarm.name, alarm.detail),
-            _ => "end".to_owned(),
-        };
-        self.ended += u64::from(ending == "end");
-        *self.endings.entry(ending).or_default() += 1;
-        for deed in deeds(case, &events) {
-            *self.did.entry(deed).or_default() += 1;
-        }
-    }
-
-    /// Demands that at least so many programs did this.
-    fn demand(&self, list: &[(&str, u64)]) {
-        for (deed, least) in list {
-            let count = self.did.get(deed).copied().unwrap_or_default();
-            assert!(count >= *least, "{count} programs: {deed}");
-        }
+        self.deeds.add(&events, deeds(case, &events));
     }
 }
 
@@ -190,13 +174,14 @@ fn programs_with_threads_are_many_and_deep() {
     const SOME: u64 = 10_000;
     let mut reached = Reached::default();
     (0..SOME).map(case_from_seed).for_each(|case| reached.add(&case));
-    let Reached { threads, ended, events, passes, .. } = reached;
+    let Reached { threads, events, passes, deeds, .. } = reached;
+    let ended = deeds.ended;
     println!("{threads} programs, {ended} ended, {events} events, {passes} thread events");
-    println!("{:?}\n{:?}", reached.did, reached.endings);
+    println!("{deeds:?}");
     assert!((SOME * 8..SOME * 13).contains(&(threads * 100)), "{threads} programs of {SOME}");
     assert!(ended * 100 > threads * 60, "{ended} of {threads} ended");
     assert!(events > threads * 50 && passes > threads * 12, "{events} events, {passes} of threads");
-    reached.demand(&[
+    deeds.demand(&[
         ("a block that cuts more than once", 500),
         ("balanced infeed", 25),
         ("beside a barrier", 40),
