@@ -234,6 +234,11 @@ impl<'b, 'c, 'd> Builder<'b, 'c, 'd> {
         self
     }
 
+    /// Whether the program is to have blocks that count as steps more than once: cycles of any family.
+    pub(crate) fn has_passes(&self) -> bool {
+        self.threads || self.cycles || self.lap
+    }
+
     /// Whether a feature is allowed.
     pub(crate) fn allows(&self, feature: Feature) -> bool {
         self.profile.allows(feature)

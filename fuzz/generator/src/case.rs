@@ -87,7 +87,7 @@ fn case(choices: &mut Choices<'_, '_>, profile: Profile) -> Case {
     let setup = setup::setup(choices, &profile);
     let mut builder = Builder::new(choices, State::new(setup), profile);
     builder.build();
-    let has_passes = builder.threads || builder.cycles || builder.lap;
+    let has_passes = builder.has_passes();
     let (program, state) = builder.finish();
     let mut setup = state.setup;
     let style = Style::choose(choices, setup.tape.code != TapeCode::Eia, profile);

@@ -78,12 +78,13 @@ impl Builder<'_, '_, '_> {
         }
     }
 
-    /// Programs that jump, or have threads or cycles, have a limit of their steps, some a low one.
+    /// Programs that jump, or have threads, cycles or LAP, have a limit of their steps, some a low one.
     pub(crate) fn bound_steps(&mut self) {
         let plain = turnspec_oracle::vocabulary::Setup::default().limits.steps;
+        let passes = self.has_passes();
         let limits = &mut self.state.setup.limits;
-        let profile = if self.threads || self.cycles || self.lap { &self.whole } else { &self.profile };
-        let repeats = self.state.control.jumps || self.threads || self.cycles || self.lap;
+        let profile = if passes { &self.whole } else { &self.profile };
+        let repeats = self.state.control.jumps || passes;
         if repeats && limits.steps == plain && profile.allows(Feature::ControlStatement) {
             limits.steps = if self.choices.chance(7) {
                 self.choices.within(3, 80).unsigned_abs()
