@@ -4,7 +4,7 @@
 
 use std::ops::{Add, Mul, Sub};
 
-use turnspec_oracle::vocabulary::Length;
+use turnspec_oracle::vocabulary::{Length, Sense};
 
 /// A point or vector in millimetres, X as a radius.
 #[derive(Clone, Copy, PartialEq, Debug, Default)]
@@ -93,6 +93,15 @@ pub struct Arc {
     pub centre: Point,
     /// +1 counter-clockwise, −1 clockwise, with Z to the right and X up.
     pub sense: f64,
+}
+
+impl Arc {
+    /// The arc of an event, by its centre, X as a diameter.
+    #[must_use]
+    pub fn of(z: Length, x: Length, sense: Sense) -> Self {
+        let sense = if sense == Sense::CounterClockwise { 1.0 } else { -1.0 };
+        Self { centre: Point::of(z, x), sense }
+    }
 }
 
 impl Way {

@@ -1,7 +1,7 @@
 //! What a LAP call was told to cut: the programmed contour, and the blank.
 
 use turnspec_conformance::geometry::{Arc, Point, Way};
-use turnspec_oracle::vocabulary::{PlanePosition, Sense};
+use turnspec_oracle::vocabulary::PlanePosition;
 use turnspec_oracle::{Outline, OutlineMotion};
 
 /// A contour and its blank as ways.
@@ -30,10 +30,7 @@ impl Definition {
 fn ways(motions: &[OutlineMotion]) -> impl Iterator<Item = Way> {
     let pairs = motions.iter().zip(motions.iter().skip(1));
     pairs.map(|(from, to)| {
-        let arc = to.arc.map(|(centre, sense)| {
-            let sense = if sense == Sense::Clockwise { -1.0 } else { 1.0 };
-            Arc { centre: point(centre), sense }
-        });
+        let arc = to.arc.map(|(centre, sense)| Arc::of(centre.z, centre.x, sense));
         Way { from: point(from.end), to: point(to.end), arc }
     })
 }

@@ -3,7 +3,7 @@
 use turnspec_conformance::geometry::{Arc, Point, Way};
 use turnspec_oracle::Outline;
 use turnspec_oracle::integer::area::{Bounds, chuck, tailstock};
-use turnspec_oracle::vocabulary::{Action, Event, Length, Motion, Sense, Setup, Side};
+use turnspec_oracle::vocabulary::{Action, Event, Length, Motion, Setup, Side};
 
 use super::outline::Definition;
 
@@ -101,9 +101,7 @@ impl Plan {
             Action::Linear { motion, .. } => self.motion(event, Kind::Linear, motion, None),
             Action::Thread { motion, .. } => self.motion(event, Kind::Thread, motion, None),
             Action::Arc { motion, sense, centre_x, centre_z, .. } => {
-                let sense = if *sense == Sense::Clockwise { -1.0 } else { 1.0 };
-                let arc = Arc { centre: Point::of(*centre_z, *centre_x), sense };
-                self.motion(event, Kind::Arc, motion, Some(arc));
+                self.motion(event, Kind::Arc, motion, Some(Arc::of(*centre_z, *centre_x, *sense)));
             }
             // In a plane of the C axis: here only how far X and Z go is seen.
             Action::ContourArc { motion, .. } => self.motion(event, Kind::Arc, motion, None),

@@ -1,6 +1,6 @@
 //! What a drawing shows, read from a trace: where contour, tip and nose centre go.
 
-use turnspec_oracle::vocabulary::{Action, Event, Label, Motion, Sense};
+use turnspec_oracle::vocabulary::{Action, Event, Label, Motion};
 
 use crate::geometry::{Arc, Point, Way};
 
@@ -108,8 +108,7 @@ fn motion(event: &Event) -> Option<(&Motion, Option<Arc>)> {
     match &event.action {
         Action::Rapid { motion } | Action::Linear { motion, .. } => Some((motion, None)),
         Action::Arc { motion, sense, centre_x, centre_z, .. } => {
-            let sense = if *sense == Sense::CounterClockwise { 1.0 } else { -1.0 };
-            Some((motion, Some(Arc { centre: Point::of(*centre_z, *centre_x), sense })))
+            Some((motion, Some(Arc::of(*centre_z, *centre_x, *sense))))
         }
         _ => None,
     }
