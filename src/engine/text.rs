@@ -203,7 +203,6 @@ impl<'a> Reader<'a> {
         let next = self.sections.iter().find(|section| section.start.at >= self.limit).copied();
         if let Some(section) = next {
             self.seek(section.start);
-            self.limit = section.end;
         }
         next.is_some()
     }
