@@ -161,7 +161,7 @@ impl Matrix {
             mutants: gathered
                 .mutants
                 .as_ref()
-                .map(|judged| MutantsRecord { untried: judged.untried.clone(), left: judged.left }),
+                .map(|judged| MutantsRecord { untried: judged.untried.clone(), left: judged.left() }),
             rules: rows(gathered),
         }
     }

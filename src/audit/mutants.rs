@@ -119,8 +119,6 @@ pub struct Judged {
     pub run: Run,
     /// The sources of the oracle of which no mutant has been tried in their present state.
     pub untried: Vec<String>,
-    /// How many mutants of the other ones are left to be tried.
-    pub left: usize,
     /// Why a survivor changes nothing that a program could observe, by its name.
     pub reasons: BTreeMap<String, String>,
     /// Reasons for mutants of tried sources that did not survive, or are not there.
@@ -136,6 +134,12 @@ impl Judged {
     /// The mutants that no test caught.
     pub fn survivors(&self) -> impl Iterator<Item = &Mutant> {
         self.run.mutants.iter().filter(|mutant| mutant.outcome == Outcome::Missed)
+    }
+
+    /// How many mutants of the sources that were tried are left.
+    #[must_use]
+    pub fn left(&self) -> usize {
+        self.run.left.values().sum()
     }
 
     /// How many had this outcome.
@@ -190,7 +194,6 @@ pub fn read(tree: &Tree) -> Result<Option<Judged>, Fault> {
     let judged = reasons.survivor.into_iter().filter(|reason| !unjudged(&reason.mutant));
     let (reasons, idle): (Vec<_>, Vec<_>) = judged.partition(|reason| survived(&reason.mutant));
     Ok(Some(Judged {
-        left: run.left.values().sum(),
         run,
         untried,
         reasons: reasons.into_iter().map(|each| (each.mutant, each.reason)).collect(),

@@ -178,7 +178,7 @@ fn mutants(gathered: &Gathered) -> Vec<Finding> {
         return vec![finding(Verdict::NotMeasured, "mutants", "no evidence/mutants.json".to_owned())];
     };
     let unexplained: Vec<String> = judged.unexplained().map(|mutant| mutant.name.clone()).collect();
-    let verdict = match (unexplained.is_empty(), judged.untried.is_empty() && judged.left == 0) {
+    let verdict = match (unexplained.is_empty(), judged.untried.is_empty() && judged.left() == 0) {
         (false, _) => Verdict::Fails,
         (true, false) => Verdict::NotMeasured,
         (true, true) => Verdict::Holds,
@@ -187,8 +187,8 @@ fn mutants(gathered: &Gathered) -> Vec<Finding> {
     if !judged.untried.is_empty() {
         text += &format!("; not tried in their present state: {} sources", judged.untried.len());
     }
-    if judged.left > 0 {
-        text += &format!("; left to be tried in the other ones: {}", judged.left);
+    if judged.left() > 0 {
+        text += &format!("; left to be tried in the other ones: {}", judged.left());
     }
     let mut findings = vec![Finding { concerns: unexplained, ..finding(verdict, "mutants", text) }];
     if !judged.idle_reasons.is_empty() {

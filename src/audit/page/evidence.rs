@@ -136,8 +136,8 @@ fn mutants(gathered: &Gathered) -> Markup {
                 @if !judged.untried.is_empty() {
                     p.warning { strong { "Not tried in their present state:" } " " (judged.untried.join(", ")) "." }
                 }
-                @if judged.left > 0 {
-                    p.warning { strong { "Left to be tried in the other sources:" } " " (judged.left) " mutants." }
+                @if judged.left() > 0 {
+                    p.warning { strong { "Left to be tried in the other sources:" } " " (judged.left()) " mutants." }
                 }
                 ul.figures {
                     @for (outcome, name) in [(Outcome::Caught, "caught"), (Outcome::Timeout, "timed out"),
