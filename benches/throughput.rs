@@ -2,7 +2,7 @@
 //! search for its line ends, and LinuxCNC's `rs274` on the same motions when it is installed
 //! (`scripts/install-rs274.sh`).
 //!
-//! `cargo bench --bench throughput` prints a table; a number after `--` is the number of blocks. A block of a thread cycle
+//! `cargo bench --bench throughput` prints a table; a number after `--` is the number of blocks. A block of a thread cycle,
 //! of pecks or of LAP makes many motions, so that its rows count these.
 
 use std::error::Error;

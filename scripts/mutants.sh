@@ -4,7 +4,8 @@
 # one all tests on what survived (.cargo/mutants.toml). Tried are the sources that have changed since their
 # mutants were tried, two or three seconds a mutant; rm evidence/mutants.json tries all. Arguments go to
 # cargo-mutants (`--jobs 2`; `--shard 0/16 --sharding round-robin` for a sample, what is left is said); with `--file`
-# or `--re` among them only these mutants are tried, as after an example that should catch a survivor. With OUTCOMES="FILE…" the outcomes of shards are added and nothing is run.
+# or `--re` among them only these mutants are tried, as after an example that should catch a survivor. With
+# OUTCOMES="FILE…" the outcomes of shards are added and nothing is run.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 exec </dev/null
