@@ -115,7 +115,7 @@ fn csv_has_a_fixed_header_and_as_many_columns_in_every_line() {
     let outcome = turnspec(&["run", "--format", "csv", TURN]);
     assert_eq!(outcome.status, 0);
     let lines: Vec<Vec<&str>> = outcome.stdout.lines().map(|line| line.split(',').collect()).collect();
-    assert!(lines.iter().all(|line| line.len() == 67));
+    assert!(lines.iter().all(|line| line.len() == 70));
     assert_eq!(&lines[0][..7], ["n", "line", "sequence", "program", "kind", "x", "z"]);
     let column = |name: &str| lines[0].iter().position(|each| *each == name).unwrap();
     let linear = &lines[5];
