@@ -38,7 +38,19 @@ else
         outcomes+=("$outcome")
     }
     round --config .cargo/mutants-examples.toml "${files[@]}" "$@"
-    round --iterate "${files[@]}" "$@"
+    # By name: a shard of what is left would be of other mutants.
+    others=()
+    while [ $# -gt 0 ]; do
+        case $1 in
+        --shard | --sharding | --re | --file) shift 2 ;;
+        *) others+=("$1") && shift ;;
+        esac
+    done
+    names=()
+    while read -r name; do
+        names+=(--re "^$(sed 's/[][\\.*^$(){}?+|]/\\&/g' <<<"$name")\$")
+    done < <(cat "$output/mutants.out/missed.txt" 2>/dev/null)
+    [ ${#names[@]} -eq 0 ] || round "${names[@]}" "${others[@]}"
 fi
 
 mkdir -p evidence

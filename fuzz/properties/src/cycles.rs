@@ -128,10 +128,11 @@ impl Block {
             let stays = begin.x == end.x && begin.z == end.z;
             return require(stays, || format!("the groove block at {} ends in {end:?}", self.start));
         }
+        // Where a cycle starts that is the first motion of a program is not told.
+        let Some(cycle_start) = cycle_start else { return Ok(()) };
+        let level = |point: Position| Some(infeed(self.along_x, point));
         let end = infeed(self.along_x, self.end);
-        let starts =
-            [Some(self.begin), cycle_start].map(|point| point.map(|point| infeed(self.along_x, point)));
-        let allowed = [starts[0], starts[1], self.level];
+        let allowed = [level(self.begin), level(cycle_start), self.level];
         require(allowed.contains(&Some(end)), || {
             format!("the hole at {} ends on {end}, not on one of {allowed:?}", self.start)
         })
@@ -140,6 +141,8 @@ impl Block {
 
 /// Statements 1 and 2.
 pub(crate) fn blocks_are_whole(events: &[Event]) -> Verdict {
+    // An alarm, or the limit of steps, may come in the middle of a block.
+    let cut_short = events.last().is_some_and(|event| matches!(event.action, Action::Alarm(_)));
     for saddle in [None, Some(Side::A), Some(Side::B)] {
         let own = events.iter().filter(|event| event.saddle == saddle);
         let mut here: Option<Position> = None;
@@ -187,7 +190,7 @@ pub(crate) fn blocks_are_whole(events: &[Event]) -> Verdict {
             }
             here = Some(motion.machine);
         }
-        if let Some(block) = block {
+        if let Some(block) = block.filter(|_| !cut_short) {
             block.ended(cycle_start)?;
         }
     }

@@ -28,14 +28,11 @@ use crate::{Verdict, require};
 ///    - in modes IV and V the straight ways from and to an AP start that is lower than the contour or its blank (E100L-AP4-04,
 ///      E100L-LAP-06);
 ///    - all, where an allowance has brought the contour before the AP start (E100L-LAP-20);
-///    - in mode II every pass over a contour that falls (E100L-AP2-03, E100L-AP2-06);
-///    - in mode V with W = c the passes along the blank, through a wall in which the contour begins: they look for it only
-///      behind the run in which they begin (how LAP runs, 12).
+///    - in mode II every pass over a contour that falls (E100L-AP2-03, E100L-AP2-06).
 /// 2. **Nothing is left.** Parts `contour` run along all of the rough contour, in mode I up to where it first reaches the
 ///    height of the AP start. Over every run the tool has come down in layers of at most the depth in force: from the AP start
 ///    in mode I, from the blank in modes IV and V. In front of the contour, before the line to the AP start, stock stays
-///    (E100L-AP1-03), and behind its end (E100L-AP4-07); layers are not told of the wall of statement 1. In mode II pass N is the rough contour, moved to its place on the line to
-///    the AP start.
+///    (E100L-AP1-03), and behind its end (E100L-AP4-07). In mode II pass N is the rough contour, moved to its place on the line to the AP start.
 /// 3. **Finishing.** G87 makes the motions of the contour, moved by U and W toward the AP start, to the nanometre.
 /// 4. **Half of D.** With half of every depth the tool comes as low as before over every run; in front of the contour only
 ///    without change points, which are passed on other levels then, and without a blank.

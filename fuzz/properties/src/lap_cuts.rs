@@ -57,9 +57,6 @@ pub(crate) fn leave_nothing(job: &Job, strokes: &[Stroke]) -> Verdict {
     if job.mode == Mode::Copy {
         return copies(job, &rough, strokes);
     }
-    if job.mode == Mode::BarCopy && job.begins_on_a_wall() {
-        return Ok(());
-    }
     let (top, own) = (job.start.spot().height, blank(job));
     let highest = Job::nanometres(job.highest());
     // Where the contour begins in front of the AP start, levels begin on the line between them.

@@ -204,12 +204,6 @@ impl Job {
         i64::from(self.clearance) * self.increment().run
     }
 
-    /// Whether the passes along the blank begin at the run of the contour's start, and it with a wall: they go through.
-    pub(crate) fn begins_on_a_wall(&self) -> bool {
-        let wall = self.contour.first().is_some_and(|first| first.way.run == 0 && first.way.height > 0);
-        wall && self.allowance.run == self.clearance()
-    }
-
     /// The height of blank and rough contour together (E100L-AP4-01).
     pub(crate) fn highest(&self) -> i64 {
         let rough = turns(self.shift(), &self.contour);

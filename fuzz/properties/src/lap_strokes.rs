@@ -78,7 +78,6 @@ pub(crate) fn spare_the_contour(job: &Job, strokes: &[Stroke]) -> Verdict {
 fn enters(job: &Job, rough: &[Leg]) -> bool {
     match job.mode {
         Mode::Copy if falls(rough) => true,
-        Mode::BarCopy if job.begins_on_a_wall() => true,
         _ => job.start.run > job.shift().run,
     }
 }

@@ -130,7 +130,7 @@ impl Shape {
     }
 
     /// Whether a point with the run and height of one of the ends of an element lies on it.
-    fn holds(&self, (run, height): &Exactly) -> bool {
+    pub fn holds(&self, (run, height): &Exactly) -> bool {
         if *run < self.from.0 || *run > self.to.0 {
             return false;
         }

@@ -55,9 +55,14 @@ impl Track {
         self.shapes.first().map(|(_, first)| place(&first.from))
     }
 
-    /// From its beginning to where it meets the contour.
+    /// From its beginning to where it meets the contour, which may be there already.
     pub fn whole(&self, target: &Target) -> Option<Path> {
-        self.start().map(|start| self.path(&start, 0, target))
+        let (_, first) = self.shapes.first()?;
+        let start = place(&first.from);
+        if target.shapes.iter().any(|shape| shape.holds(&first.from)) {
+            return Some(Path { legs: Vec::new(), highest: start.height });
+        }
+        Some(self.path(&start, 0, target))
     }
 
     /// From one of its points on to where it meets the contour behind the run of that.

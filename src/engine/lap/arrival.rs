@@ -8,6 +8,7 @@ use crate::engine::exact::SlowPaths;
 use super::front::{Front, Leave};
 use super::graph::{Joint, Span};
 use super::meeting::{Coordinate, Meeting, meetings};
+use super::plane::Spot;
 use super::value::Value;
 
 /// Where a way along the lowered blank ends.
@@ -65,6 +66,12 @@ impl Wall {
 }
 
 impl Front {
+    /// Whether the start of a pass along the blank is a point of the contour: of a wall in which that begins.
+    pub fn begins_on_contour(&self, start: Spot, slow: &mut SlowPaths) -> bool {
+        let joint = self.contour.joints.first().filter(|joint| joint.run == start.run);
+        joint.is_some_and(|joint| Wall::of(joint, false).holds(Value::whole(start.height), slow))
+    }
+
     /// The element of the blank with which the way from a point goes on.
     pub fn first_element(&self, leave: &Leave, slow: &mut SlowPaths) -> usize {
         let span = self.blank.spans.get(leave.blank).map_or(0, |span| span.element);
