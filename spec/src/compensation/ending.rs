@@ -112,8 +112,8 @@ impl Pending {
         Self { spot: Spot::present(place, state), event, w_travel }
     }
 
-    /// Ends it: the event and where the axes are then. `axes` is where they were before.
-    pub fn end(
+    /// The event of its end there. `axes` is where the axes were before.
+    pub fn told(
         self,
         ending: Ending,
         rules: RuleSet,
@@ -152,7 +152,7 @@ fn tip_at(axes: Point, program: Point, machine: Point, mirrored: bool) -> Point 
 
 /// A motion of C or W alone in compensation: tip and nose as they are when its turn comes.
 pub fn at_rest(mut event: Emission, axes: Point) -> Emission {
-    if let (Some(AtRest { to_centre, mirrored }), Some(motion)) =
+    if let (Some(AtRest::Tip { to_centre, mirrored }), Some(motion)) =
         (event.at_rest, motion_of(&mut event.action))
     {
         let of = |x: Length, z: Length| (x.0, z.0);

@@ -21,6 +21,7 @@ mod lines;
 mod nose;
 mod on;
 mod reach;
+mod rest;
 mod start_up;
 mod stream;
 
@@ -33,6 +34,7 @@ use crate::path::{Element, Point};
 use crate::state::State;
 use crate::vocabulary::rule_ids::*;
 use crate::vocabulary::{Place, RuleSet, Side};
+use ending::Pending;
 use nose::Nose;
 use on::On;
 
@@ -43,7 +45,7 @@ pub enum Compensation {
     #[default]
     Off,
     /// G41 or G42 is in force.
-    On(Box<On>),
+    On(Box<On<Pending>>),
     /// G40 is in force again, and the axes are still where the tip was led: X (as a diameter) and Z in machine
     /// coordinates (E100L-NRC-71).
     LeftOver {
@@ -95,7 +97,7 @@ impl Compensation {
     }
 
     /// The end of a block; `moved`: it had an X/Z motion.
-    pub fn end_of_block(&mut self, moved: bool, stream: &mut Stream, state: &State) -> Outcome<()> {
+    pub fn end_of_block(&mut self, moved: bool, stream: &mut Stream, state: &mut State) -> Outcome<()> {
         *self = match std::mem::take(self) {
             Self::On(on) if moved => Self::On(Box::new(on.hold(stream))),
             Self::On(on) => Self::On(Box::new(on.pass(stream, state)?)),
@@ -118,10 +120,10 @@ impl Compensation {
     }
 
     /// M02 or M30: the last motion ends in contact, and the axes stay there (E100L-NRC-44).
-    pub fn end_of_program(&mut self, stream: &mut Stream, state: &State) -> Outcome<()> {
+    pub fn end_of_program(&mut self, stream: &mut Stream, state: &mut State) -> Outcome<()> {
         *self = match std::mem::take(self) {
             Self::On(on) => {
-                on.conclude(NRC_44, None, stream, state.setup)?;
+                on.conclude(NRC_44, None, stream, state)?;
                 stream.holding = false;
                 Self::Off
             }
@@ -132,13 +134,13 @@ impl Compensation {
 }
 
 fn along_contour(
-    mut on: On,
+    mut on: On<Pending>,
     elements: &[Element],
     nose: Nose,
     plan: &Plan,
     stream: &mut Stream,
     state: &mut State,
-) -> Outcome<On> {
+) -> Outcome<On<Pending>> {
     for element in elements {
         on = contour::motion(on, element, nose, plan, stream, state)?;
     }
@@ -153,7 +155,7 @@ fn begin(
     plan: &Plan,
     stream: &mut Stream,
     state: &mut State,
-) -> Outcome<On> {
+) -> Outcome<On<Pending>> {
     let axes = match before {
         Compensation::LeftOver { axes } => *axes,
         _ => (state.frame.machine.x, state.frame.machine.z),
