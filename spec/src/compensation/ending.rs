@@ -63,14 +63,17 @@ impl Spot {
         if ending.tip.0.unsigned_abs() > largest || ending.tip.1.unsigned_abs() > largest {
             return fail(AlarmName::CoordinateRange, ADDR_01);
         }
-        for (limit, place) in [(self.limits.0, ending.machine.0), (self.limits.1, ending.machine.1)] {
-            match limit.of(place) {
-                Limited::Allowed => {}
-                Limited::Positive(_) => return fail(AlarmName::TravelLimitPositive, NRC_80),
-                Limited::Negative => return fail(AlarmName::TravelLimitNegative, NRC_80),
-            }
-        }
-        Ok(())
+        within_limit(self.limits.0, ending.machine.0)?;
+        within_limit(self.limits.1, ending.machine.1)
+    }
+}
+
+/// E100L-NRC-80: a place within a travel limit.
+pub fn within_limit(limit: TravelLimit, place: i64) -> Outcome<()> {
+    match limit.of(place) {
+        Limited::Allowed => Ok(()),
+        Limited::Positive(_) => fail(AlarmName::TravelLimitPositive, NRC_80),
+        Limited::Negative => fail(AlarmName::TravelLimitNegative, NRC_80),
     }
 }
 
@@ -136,9 +139,13 @@ impl Pending {
     }
 }
 
-fn motion_of(action: &mut Action) -> Option<&mut Motion> {
+/// The motion of an event.
+pub fn motion_of(action: &mut Action) -> Option<&mut Motion> {
     match action {
-        Action::Rapid { motion } | Action::Linear { motion, .. } | Action::Arc { motion, .. } => Some(motion),
+        Action::Rapid { motion }
+        | Action::Linear { motion, .. }
+        | Action::Arc { motion, .. }
+        | Action::ContourArc { motion, .. } => Some(motion),
         _ => None,
     }
 }

@@ -226,6 +226,7 @@ impl<'a> Channel<'a> {
                 self.state.thread.chain = false;
                 path::torque_skip(plan, &mut self.state, &mut stream.emissions)?;
             }
+            _ if plan.cutter.is_some() => {}
             None if plan.is_thread() => thread::cut(plan, &mut self.state, &mut stream.emissions)?,
             None if contour::has_own_motions(plan) => {
                 contour::carry_out(plan, &mut self.state, &mut stream.emissions)?;
@@ -235,6 +236,9 @@ impl<'a> Channel<'a> {
                 elements = self.state.in_contour_coordinates(|state| path::elements(plan, &ahead, state))?;
             }
             _ => {}
+        }
+        if let Some(plane) = plan.cutter {
+            return self.compensation.motion_of_cutter(plane, plan, dwell, stream, &mut self.state);
         }
         lap::place(plan, &mut elements, &mut self.state)?;
         self.compensation.motion(plan, &elements, dwell, stream, &mut self.state)
