@@ -30,7 +30,7 @@ impl Reach {
 
     /// E100L-CRC-14: the cutter centre seen from a point P of its plane, p for z and q for x, latched. What is beyond every
     /// range is kept within 2^60.
-    pub fn from_point(&self, point: PlanePoint) -> PlanePoint {
+    pub fn in_plane(&self, point: PlanePoint) -> PlanePoint {
         let (p, q) = (whole(point.p), whole(point.q));
         let [p, q] = real::nearest_wholes(|precision| {
             let (along_p, along_q) = (self.0)(precision);

@@ -97,7 +97,7 @@ impl Pending {
         stream: &mut Stream,
         state: &mut State,
     ) -> Outcome<Standing> {
-        let to = self.spot.at(reach.from_point(self.spot.point))?;
+        let to = self.spot.at(reach.in_plane(self.spot.point))?;
         let steps = self.course.steps(&self.spot, &axes, &to, self.z_travel, state)?;
         self.spot.check_range(&to, state.setup)?;
         for step in steps {
