@@ -17,7 +17,8 @@ pub enum CutterPlane {
 }
 
 impl CutterPlane {
-    /// The plane in which G41 or G42 was in force, or is now; none if that is the plane of turning.
+    /// The plane in which G41 or G42 was in force, or is now, the block's own plane code included (E100L-CRC-11); none if
+    /// that is the plane of turning.
     pub fn of(before: Modes, after: Modes) -> Option<Self> {
         let modes = [before, after].into_iter().find(Modes::compensating)?;
         match modes.get(GGroup::Plane) {

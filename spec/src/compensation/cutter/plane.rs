@@ -137,7 +137,7 @@ impl Spot {
         self.machine.plus(program.plus(self.program, -1), 1).turned()
     }
 
-    /// E100L-NRC-29: X and Z within the range of their addresses.
+    /// E100L-CRC-17, E100L-NRC-29: X and Z within the range of their addresses, however acute a corner is.
     pub fn check_range(&self, to: &Standing, setup: &Setup) -> Outcome<()> {
         let largest = units::largest_length(setup.unit_system).unsigned_abs();
         let x = to.machine.x - self.machine.x + self.program.x;
