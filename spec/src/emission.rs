@@ -1,6 +1,7 @@
 //! What a stage emits, before the run numbers it and gives it its place.
 
 use crate::lap::Mark;
+use crate::modal::CutterPlane;
 use crate::path::Point;
 use crate::vocabulary::{Action, Reading, ReadingSet, RuleId, RuleSet, Side};
 
@@ -15,20 +16,25 @@ pub struct Emission {
     pub readings: ReadingSet,
     /// The turret or the saddle that it is about; without one that of its block.
     pub side: Option<Side>,
-    /// Of a motion that leaves the tip where the motion before it brings it: tip and nose are shown when its turn
-    /// comes.
+    /// Of a motion in compensation that leaves tip or cutter where the motion before it brings them: they are shown when
+    /// its turn comes.
     pub at_rest: Option<AtRest>,
     /// Of a motion of a contour of LAP: what was in force in its block.
     pub mark: Option<Mark>,
 }
 
-/// How tip and nose are told from the place of the axes.
+/// What is told from the place of the axes.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub struct AtRest {
-    /// From the tip to the nose centre: X as a diameter, and Z.
-    pub to_centre: Point,
-    /// Whether X of the machine runs against X of the program (E100L-MIRR-05).
-    pub mirrored: bool,
+pub enum AtRest {
+    /// Tip and nose.
+    Tip {
+        /// From the tip to the nose centre: X as a diameter, and Z.
+        to_centre: Point,
+        /// Whether X of the machine runs against X of the program (E100L-MIRR-05).
+        mirrored: bool,
+    },
+    /// The cutter centre, in a plane of rotary tools.
+    Cutter(CutterPlane),
 }
 
 impl Emission {

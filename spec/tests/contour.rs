@@ -211,7 +211,7 @@ fn checks_come_in_their_order() {
         ("G41\nG94 G101 C1\nM02\n", "name=unspecified detail=G101 rules=E100L-CRC-06"),
         ("G41\nG40 G94 G133 C1 L1\nM02\n", "name=unspecified detail=G133 rules=E100L-CRC-07"),
         ("G102 G41\nM02\n", "name=compensation_not_linear rules=E100L-NRC-19"),
-        ("M110\nG17 G94 G101 G41 C1\nM02\n", "name=not_modelled detail=G41 rules=E100L-CRC-14"),
+        ("M110\nG17 G94 G101 G41 C1 F9\nM02\n", "name=unspecified detail=start_up rules=E100L-NRC-15"),
         ("G41\nG136\nM02\n", "name=unspecified detail=compensation rules=E100L-CSC-09"),
         ("G312\nM02\n", "name=g_code_unassigned"),
         ("G138\nM02\n", "name=not_modelled detail=G138"),

@@ -1,7 +1,7 @@
 //! The end of compensation, and what it leaves behind (E100L-NRC-66 to -72).
 
 use super::Compensation;
-use super::ending::left_behind;
+use super::ending::{Pending, left_behind};
 use super::on::On;
 use super::start_up::imaginary_point;
 use super::stream::Stream;
@@ -18,7 +18,7 @@ use crate::vocabulary::{AlarmName, RuleSet};
 
 /// A block with G40 in compensation.
 pub fn cancel(
-    on: On,
+    on: On<Pending>,
     plan: &Plan,
     elements: &[Element],
     dwell: Option<Emission>,
@@ -31,7 +31,7 @@ pub fn cancel(
     let in_plane = elements.iter().any(Element::in_plane);
     let imaginary = imaginary_point(plan);
     let rule = if in_plane { NRC_66 } else { NRC_71 };
-    let axes = on.conclude(rule, imaginary.as_ref(), stream, state.setup)?;
+    let axes = on.conclude(rule, imaginary.as_ref(), stream, state)?;
     stream.holding = false;
     stream.emissions.extend(dwell);
     let mut after = Compensation::LeftOver { axes };

@@ -63,14 +63,17 @@ impl Spot {
         if ending.tip.0.unsigned_abs() > largest || ending.tip.1.unsigned_abs() > largest {
             return fail(AlarmName::CoordinateRange, ADDR_01);
         }
-        for (limit, place) in [(self.limits.0, ending.machine.0), (self.limits.1, ending.machine.1)] {
-            match limit.of(place) {
-                Limited::Allowed => {}
-                Limited::Positive(_) => return fail(AlarmName::TravelLimitPositive, NRC_80),
-                Limited::Negative => return fail(AlarmName::TravelLimitNegative, NRC_80),
-            }
-        }
-        Ok(())
+        within_limit(self.limits.0, ending.machine.0)?;
+        within_limit(self.limits.1, ending.machine.1)
+    }
+}
+
+/// E100L-NRC-80: a place within a travel limit.
+pub fn within_limit(limit: TravelLimit, place: i64) -> Outcome<()> {
+    match limit.of(place) {
+        Limited::Allowed => Ok(()),
+        Limited::Positive(_) => fail(AlarmName::TravelLimitPositive, NRC_80),
+        Limited::Negative => fail(AlarmName::TravelLimitNegative, NRC_80),
     }
 }
 
@@ -112,8 +115,8 @@ impl Pending {
         Self { spot: Spot::present(place, state), event, w_travel }
     }
 
-    /// Ends it: the event and where the axes are then. `axes` is where they were before.
-    pub fn end(
+    /// The event of its end there. `axes` is where the axes were before.
+    pub fn told(
         self,
         ending: Ending,
         rules: RuleSet,
@@ -136,9 +139,13 @@ impl Pending {
     }
 }
 
-fn motion_of(action: &mut Action) -> Option<&mut Motion> {
+/// The motion of an event.
+pub fn motion_of(action: &mut Action) -> Option<&mut Motion> {
     match action {
-        Action::Rapid { motion } | Action::Linear { motion, .. } | Action::Arc { motion, .. } => Some(motion),
+        Action::Rapid { motion }
+        | Action::Linear { motion, .. }
+        | Action::Arc { motion, .. }
+        | Action::ContourArc { motion, .. } => Some(motion),
         _ => None,
     }
 }
@@ -152,7 +159,7 @@ fn tip_at(axes: Point, program: Point, machine: Point, mirrored: bool) -> Point 
 
 /// A motion of C or W alone in compensation: tip and nose as they are when its turn comes.
 pub fn at_rest(mut event: Emission, axes: Point) -> Emission {
-    if let (Some(AtRest { to_centre, mirrored }), Some(motion)) =
+    if let (Some(AtRest::Tip { to_centre, mirrored }), Some(motion)) =
         (event.at_rest, motion_of(&mut event.action))
     {
         let of = |x: Length, z: Length| (x.0, z.0);

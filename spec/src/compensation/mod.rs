@@ -6,7 +6,7 @@
 //!
 //! [`nose`], [`leg`], [`circle`] and [`reach`] say what is offset and how far; [`corner`], [`lines`], [`line_and_arc`]
 //! and [`arcs`] where two elements meet; [`ending`] what the event of a motion tells; [`on`], [`back`], [`contour`], [`start_up`] and
-//! [`cancel`] what a block does.
+//! [`cancel`] what a block does; [`rest`] what comes behind an element that has ended. [`cutter`] does the same in the planes of rotary tools.
 
 mod arcs;
 mod back;
@@ -14,6 +14,7 @@ mod cancel;
 mod circle;
 mod contour;
 mod corner;
+mod cutter;
 mod ending;
 mod leg;
 mod line_and_arc;
@@ -21,6 +22,7 @@ mod lines;
 mod nose;
 mod on;
 mod reach;
+mod rest;
 mod start_up;
 mod stream;
 
@@ -28,11 +30,13 @@ pub use stream::Stream;
 
 use crate::emission::Emission;
 use crate::fault::Outcome;
-use crate::modal::{Change, Plan};
+use crate::modal::{Change, CutterPlane, Plan};
 use crate::path::{Element, Point};
 use crate::state::State;
 use crate::vocabulary::rule_ids::*;
 use crate::vocabulary::{Place, RuleSet, Side};
+use cutter::Cutter;
+use ending::Pending;
 use nose::Nose;
 use on::On;
 
@@ -43,7 +47,9 @@ pub enum Compensation {
     #[default]
     Off,
     /// G41 or G42 is in force.
-    On(Box<On>),
+    On(Box<On<Pending>>),
+    /// G41 or G42 is in force in G17 or G119.
+    Cutter(Box<Cutter>),
     /// G40 is in force again, and the axes are still where the tip was led: X (as a diameter) and Z in machine
     /// coordinates (E100L-NRC-71).
     LeftOver {
@@ -65,7 +71,7 @@ impl Compensation {
         side: Option<Side>,
         decided: &'a mut Vec<(Place, Emission)>,
     ) -> Stream<'a> {
-        Stream::new(place, side, matches!(self, Self::On(_)), decided)
+        Stream::new(place, side, matches!(self, Self::On(_) | Self::Cutter(_)), decided)
     }
 
     /// The motions of a block, or its dwell; whether it counts as a block with X/Z motion.
@@ -94,11 +100,35 @@ impl Compensation {
         Ok(begins || elements.iter().any(Element::in_plane))
     }
 
+    /// The motion of a block in which G41 or G42 was or is in force in a plane of rotary tools, or its dwell; whether it counts
+    /// as one with a motion in the plane (E100L-CRC-14).
+    pub fn motion_of_cutter(
+        &mut self,
+        plane: CutterPlane,
+        plan: &Plan,
+        dwell: Option<Emission>,
+        stream: &mut Stream,
+        state: &mut State,
+    ) -> Outcome<bool> {
+        let before = match std::mem::take(self) {
+            Self::Cutter(cutter) => Some(*cutter),
+            _ => None,
+        };
+        let (after, moved) = cutter::block(before, plane, plan, dwell, stream, state)?;
+        *self = after.map_or(Self::Off, |cutter| Self::Cutter(Box::new(cutter)));
+        Ok(moved)
+    }
+
     /// The end of a block; `moved`: it had an X/Z motion.
-    pub fn end_of_block(&mut self, moved: bool, stream: &mut Stream, state: &State) -> Outcome<()> {
+    pub fn end_of_block(&mut self, moved: bool, stream: &mut Stream, state: &mut State) -> Outcome<()> {
         *self = match std::mem::take(self) {
             Self::On(on) if moved => Self::On(Box::new(on.hold(stream))),
             Self::On(on) => Self::On(Box::new(on.pass(stream, state)?)),
+            Self::Cutter(cutter) => {
+                let Cutter { on, programmed } = *cutter;
+                let on = if moved { on.hold(stream) } else { on.pass(stream, state)? };
+                Self::Cutter(Box::new(Cutter { on, programmed }))
+            }
             other => other,
         };
         Ok(())
@@ -106,22 +136,35 @@ impl Compensation {
 
     /// The beginning of a statement (E100L-CTL-01).
     pub fn begin_statement(&mut self) -> Outcome<()> {
-        if let Self::On(on) = self { on.meet_statement() } else { Ok(()) }
+        match self {
+            Self::On(on) => on.meet_statement(),
+            Self::Cutter(cutter) => cutter.on.meet_statement(),
+            Self::Off | Self::LeftOver { .. } => Ok(()),
+        }
     }
 
     /// The end of a statement: it is not counted (E100L-CTL-01).
     pub fn end_of_statement(&mut self, stream: &mut Stream) {
         *self = match std::mem::take(self) {
             Self::On(on) => Self::On(Box::new(on.pass_statement(stream))),
+            Self::Cutter(cutter) => {
+                let Cutter { on, programmed } = *cutter;
+                Self::Cutter(Box::new(Cutter { on: on.pass_statement(stream), programmed }))
+            }
             other => other,
         };
     }
 
     /// M02 or M30: the last motion ends in contact, and the axes stay there (E100L-NRC-44).
-    pub fn end_of_program(&mut self, stream: &mut Stream, state: &State) -> Outcome<()> {
+    pub fn end_of_program(&mut self, stream: &mut Stream, state: &mut State) -> Outcome<()> {
         *self = match std::mem::take(self) {
             Self::On(on) => {
-                on.conclude(NRC_44, None, stream, state.setup)?;
+                on.conclude(NRC_44, None, stream, state)?;
+                stream.holding = false;
+                Self::Off
+            }
+            Self::Cutter(cutter) => {
+                cutter.on.conclude(NRC_44, None, stream, state)?;
                 stream.holding = false;
                 Self::Off
             }
@@ -132,13 +175,13 @@ impl Compensation {
 }
 
 fn along_contour(
-    mut on: On,
+    mut on: On<Pending>,
     elements: &[Element],
     nose: Nose,
     plan: &Plan,
     stream: &mut Stream,
     state: &mut State,
-) -> Outcome<On> {
+) -> Outcome<On<Pending>> {
     for element in elements {
         on = contour::motion(on, element, nose, plan, stream, state)?;
     }
@@ -153,7 +196,7 @@ fn begin(
     plan: &Plan,
     stream: &mut Stream,
     state: &mut State,
-) -> Outcome<On> {
+) -> Outcome<On<Pending>> {
     let axes = match before {
         Compensation::LeftOver { axes } => *axes,
         _ => (state.frame.machine.x, state.frame.machine.z),

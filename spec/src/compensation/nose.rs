@@ -38,6 +38,12 @@ impl Nose {
         Some(Self { side, radius: nose::radius(x, z), to_centre: nose::to_centre(x, z) })
     }
 
+    /// The cutter in force, with the radius of the entry (E100L-CRC-08, E100L-CRC-09): its axis is the point that follows the
+    /// program (E100L-CRC-10).
+    pub fn of_cutter(state: &State) -> Option<Self> {
+        Self::in_force(state).map(|nose| Self { to_centre: (0, 0), ..nose })
+    }
+
     /// s·R: how far the nose centre is to the left of the contour.
     pub fn offset(&self) -> i64 {
         nose::offset(self.side == Side::Left, self.radius)

@@ -1,8 +1,8 @@
 //! Compensation in force: the motion that waits for its end, what is held behind it, and what ends it (E100L-NRC-12).
+//!
+//! It does not know in which plane: a [`Waits`] says where the axes go.
 
-use super::back::Back;
 use super::corner::corner;
-use super::ending::{Ending, Pending, at_rest};
 use super::leg::Leg;
 use super::nose::Nose;
 use super::reach::Reach;
@@ -11,18 +11,68 @@ use super::stream::Stream;
 use crate::emission::Emission;
 use crate::fault::{Fault, Outcome};
 use crate::integer::between::is_too_long;
-use crate::path::{Point, Vector};
+use crate::path::Vector;
 use crate::state::State;
 use crate::vocabulary::rule_ids::*;
-use crate::vocabulary::{AlarmName, Place, RuleId, RuleSet, Setup};
+use crate::vocabulary::{AlarmName, Place, RuleId, RuleSet};
+
+/// A motion of a plane that waits for its end, and how a point of that plane becomes a place of the axes.
+pub trait Waits: Sized {
+    /// Where the axes are.
+    type Axes: Copy;
+    /// What may come behind an element that has ended, before the next one.
+    type Rest;
+
+    /// Its block.
+    fn place(&self) -> Place;
+
+    /// It ends with the centre at this way from P; where the axes are then.
+    fn end(
+        self,
+        reach: &Reach,
+        nose: Nose,
+        rules: RuleSet,
+        axes: Self::Axes,
+        stream: &mut Stream,
+        state: &mut State,
+    ) -> Outcome<Self::Axes>;
+
+    /// A motion of other axes alone, when its turn comes.
+    fn at_rest(event: Emission, axes: Self::Axes) -> Emission;
+
+    /// The second block without motion in the plane has come since one waits, or none waits.
+    fn go_on(on: On<Self>, stream: &mut Stream, state: &mut State) -> Outcome<On<Self>>;
+
+    /// Whether it is a motion that waits.
+    fn rest_waits(rest: &Self::Rest) -> bool;
+
+    /// The element j begins behind i and what came after it; `between` are rules of the corner.
+    fn leave(
+        rest: Self::Rest,
+        elements: (&Leg, &Leg),
+        between: RuleSet,
+        held: &mut Held<Self>,
+        stream: &mut Stream,
+        state: &mut State,
+    ) -> Outcome<()>;
+
+    /// It stays at the end of the element i.
+    fn stay(
+        rest: Self::Rest,
+        i: &Leg,
+        held: &mut Held<Self>,
+        stream: &mut Stream,
+        state: &mut State,
+    ) -> Outcome<()>;
+}
 
 /// Compensation in force.
-pub struct On {
-    /// Where the axes are: X (as a diameter) and Z in machine coordinates.
-    pub axes: Point,
+pub struct On<M: Waits> {
+    /// Where the axes are.
+    pub axes: M::Axes,
     /// The motion whose end is not known.
-    pub waiting: Waiting,
-    /// Whether one block without X/Z motion has come since it began to wait.
+    pub waiting: Waiting<M>,
+    /// Whether one block without motion in the plane has come since it began to wait.
     pub one_between: bool,
     /// How many statements have come since it began to wait.
     pub statements: usize,
@@ -34,104 +84,58 @@ pub struct On {
 const MOST_STATEMENTS: usize = 100;
 
 /// The motion that waits.
-pub enum Waiting {
+pub enum Waiting<M: Waits> {
     /// The start-up with its nose, and the imaginary element before it (E100L-NRC-23).
-    StartUp(Pending, Nose, Option<Leg>),
+    StartUp(M, Nose, Option<Leg>),
     /// An element of the contour, as it is at its end.
-    Element(Pending, Leg),
-    /// A motion without travel at the end of that element.
-    Repetition(Pending, Leg),
-    /// None; the element that ended last, and the way back to its corner.
-    Nothing(Leg, Back),
+    Element(M, Leg),
+    /// The element that ended last, and what has come behind it.
+    Ended(Leg, M::Rest),
 }
 
-impl On {
-    /// In force, with a start-up that waits.
-    pub fn started(axes: Point, waiting: Waiting) -> Self {
+impl<M: Waits> On<M> {
+    /// In force, with a motion that waits.
+    pub fn started(axes: M::Axes, waiting: Waiting<M>) -> Self {
         Self { axes, waiting, one_between: false, statements: 0, held: Vec::new() }
     }
 
+    /// Whether a motion waits.
+    fn waits(&self) -> bool {
+        match &self.waiting {
+            Waiting::StartUp(..) | Waiting::Element(..) => true,
+            Waiting::Ended(_, rest) => M::rest_waits(rest),
+        }
+    }
+
     /// The element j begins; the axes are where it begins then.
-    pub fn meet(self, j: &Leg, stream: &mut Stream, setup: &Setup) -> Outcome<Point> {
+    pub fn meet(self, j: &Leg, stream: &mut Stream, state: &mut State) -> Outcome<M::Axes> {
         let mut held = Held { axes: self.axes, events: self.held };
         // E100L-NRC-43.
         let between = if self.one_between { RuleSet::of(&[NRC_43]) } else { RuleSet::EMPTY };
         match self.waiting {
             Waiting::StartUp(motion, nose, imaginary) => {
                 let met = start_up::end(imaginary.as_ref(), j, between);
-                let (reach, rules) = met.map_err(|fault| fault.of_block(motion.spot.place))?;
-                let ending = motion.spot.reached(&reach, nose.to_centre);
-                held.end(motion, ending, rules, stream, setup)?;
+                let (reach, rules) = met.map_err(|fault| fault.of_block(motion.place()))?;
+                held.end(motion, &reach, nose, rules, stream, state)?;
             }
-            Waiting::Element(motion, i) | Waiting::Repetition(motion, i) => {
-                let met = corner(&i, j).map_err(|fault| fault.of_block(motion.spot.place));
-                let (reach, rules) = met?;
-                let ending = motion.spot.reached(&reach, i.nose.to_centre);
-                held.end(motion, ending, rules.union(between), stream, setup)?;
-            }
-            Waiting::Nothing(i, back) => {
-                // E100L-NRC-46: no motion, if the corner is where the tip is.
-                let (reach, rules) = corner(&i, j).map_err(|fault| fault.of_block(back.spot.place))?;
-                let ending = back.spot.reached(&reach, i.nose.to_centre);
-                if ending.machine != held.axes {
-                    held.end(back.motion?, ending, rules, stream, setup)?;
-                }
-            }
+            Waiting::Element(motion, i) => held.end_in_corner(motion, &i, j, between, stream, state)?,
+            Waiting::Ended(i, rest) => M::leave(rest, (&i, j), between, &mut held, stream, state)?,
         }
         Ok(held.release(stream))
     }
 
-    /// A motion without travel comes, and waits (E100L-NRC-45).
-    pub fn repeat(self, repetition: Pending, stream: &mut Stream, setup: &Setup) -> Outcome<Self> {
-        let mut held = Held { axes: self.axes, events: self.held };
-        let last = match self.waiting {
-            Waiting::StartUp(motion, ..) => {
-                return Err(start_up::unmet(&motion.spot, NRC_21));
-            }
-            Waiting::Element(motion, i) => {
-                held.end_in_contact(motion, &i, NRC_45, stream, setup)?;
-                i
-            }
-            Waiting::Repetition(motion, i) => {
-                held.stay(motion, &i, stream, setup)?;
-                i
-            }
-            Waiting::Nothing(i, _) => i,
-        };
-        let axes = held.release(stream);
-        Ok(Self::started(axes, Waiting::Repetition(repetition, last)))
-    }
-
-    /// A block without X/Z motion has ended (E100L-NRC-22, E100L-NRC-43, E100L-NRC-44).
-    pub fn pass(mut self, stream: &mut Stream, state: &State) -> Outcome<Self> {
-        let waits = !matches!(self.waiting, Waiting::Nothing(..));
-        if !is_too_long(waits, self.one_between) {
-            self.one_between = true;
-            return Ok(self.hold(stream));
+    /// A block without motion in the plane has ended (E100L-NRC-22, E100L-NRC-43, E100L-NRC-44).
+    pub fn pass(mut self, stream: &mut Stream, state: &mut State) -> Outcome<Self> {
+        if is_too_long(self.waits(), self.one_between) {
+            return M::go_on(self, stream, state);
         }
-        let setup = state.setup;
-        let mut held = Held { axes: self.axes, events: self.held };
-        let last = match self.waiting {
-            Waiting::StartUp(motion, ..) => {
-                return Err(start_up::unmet(&motion.spot, NRC_22));
-            }
-            Waiting::Element(motion, i) => {
-                held.end_in_contact(motion, &i, NRC_44, stream, setup)?;
-                i
-            }
-            Waiting::Repetition(motion, i) => {
-                held.stay(motion, &i, stream, setup)?;
-                i
-            }
-            Waiting::Nothing(i, _) => i,
-        };
-        let axes = held.release(stream);
-        Ok(Self::started(axes, Waiting::Nothing(last, Back::present(stream.place, state))))
+        self.one_between = true;
+        Ok(self.hold(stream))
     }
 
     /// E100L-CTL-01: a statement comes; how many a control reads ahead behind a motion that waits the manual does not tell.
     pub fn meet_statement(&mut self) -> Outcome<()> {
-        if matches!(self.waiting, Waiting::Nothing(..)) {
+        if !self.waits() {
             return Ok(());
         }
         if self.statements == MOST_STATEMENTS {
@@ -143,10 +147,10 @@ impl On {
 
     /// A statement has ended, which is no block without motion: its events wait behind the motion, if one waits.
     pub fn pass_statement(self, stream: &mut Stream) -> Self {
-        if !matches!(self.waiting, Waiting::Nothing(..)) {
+        if self.waits() {
             return self.hold(stream);
         }
-        let held = Held { axes: self.axes, events: self.held };
+        let held = Held::<M> { axes: self.axes, events: self.held };
         let axes = held.release(stream);
         Self { axes, held: Vec::new(), ..self }
     }
@@ -157,26 +161,22 @@ impl On {
         rule: RuleId,
         imaginary: Option<&Vector>,
         stream: &mut Stream,
-        setup: &Setup,
-    ) -> Outcome<Point> {
+        state: &mut State,
+    ) -> Outcome<M::Axes> {
         let mut held = Held { axes: self.axes, events: self.held };
         match self.waiting {
-            Waiting::StartUp(motion, ..) => return Err(start_up::nothing_to_touch(&motion.spot)),
+            Waiting::StartUp(motion, ..) => return Err(start_up::nothing_to_touch(motion.place())),
             Waiting::Element(motion, i) => match imaginary {
-                None => held.end_in_contact(motion, &i, rule, stream, setup)?,
+                None => held.end_in_contact(motion, &i, rule, stream, state)?,
                 Some(direction) => {
                     // E100L-NRC-69: the imaginary line takes the place of the element j.
                     let j = Leg::line(direction.clone(), i.nose);
-                    let met = corner(&i, &j).map_err(|fault| fault.of_block(motion.spot.place));
-                    let (reach, rules) = met?;
-                    let rules = rules.with(NRC_69);
+                    let rules = RuleSet::of(&[NRC_69]);
                     let rules = if self.one_between { rules.with(NRC_43) } else { rules };
-                    let ending = motion.spot.reached(&reach, i.nose.to_centre);
-                    held.end(motion, ending, rules, stream, setup)?;
+                    held.end_in_corner(motion, &i, &j, rules, stream, state)?;
                 }
             },
-            Waiting::Repetition(motion, i) => held.stay(motion, &i, stream, setup)?,
-            Waiting::Nothing(..) => {}
+            Waiting::Ended(i, rest) => M::stay(rest, &i, &mut held, stream, state)?,
         }
         Ok(held.release(stream))
     }
@@ -189,50 +189,61 @@ impl On {
 }
 
 /// What is held behind a motion, and where the axes are.
-struct Held {
-    axes: Point,
-    events: Vec<(Place, Emission)>,
+pub struct Held<M: Waits> {
+    /// Where they are.
+    pub axes: M::Axes,
+    /// The events.
+    pub events: Vec<(Place, Emission)>,
 }
 
-impl Held {
+impl<M: Waits> Held<M> {
     /// The motion ends.
-    fn end(
+    pub fn end(
         &mut self,
-        motion: Pending,
-        ending: Ending,
+        motion: M,
+        reach: &Reach,
+        nose: Nose,
         rules: RuleSet,
         stream: &mut Stream,
-        setup: &Setup,
+        state: &mut State,
     ) -> Outcome<()> {
-        stream.decide(motion.end(ending, rules, self.axes, setup)?);
-        self.axes = ending.machine;
+        self.axes = motion.end(reach, nose, rules, self.axes, stream, state)?;
         Ok(())
     }
 
-    /// The motion ends in contact with its element alone.
-    fn end_in_contact(
+    /// The motion ends in the corner of the elements i and j; these rules besides.
+    pub fn end_in_corner(
         &mut self,
-        motion: Pending,
+        motion: M,
+        i: &Leg,
+        j: &Leg,
+        rules: RuleSet,
+        stream: &mut Stream,
+        state: &mut State,
+    ) -> Outcome<()> {
+        let met = corner(i, j).map_err(|fault| fault.of_block(motion.place()));
+        let (reach, of_corner) = met?;
+        self.end(motion, &reach, i.nose, of_corner.union(rules), stream, state)
+    }
+
+    /// The motion ends in contact with its element alone.
+    pub fn end_in_contact(
+        &mut self,
+        motion: M,
         element: &Leg,
         rule: RuleId,
         stream: &mut Stream,
-        setup: &Setup,
+        state: &mut State,
     ) -> Outcome<()> {
-        let ending = motion.spot.reached(&Reach::contact(element), element.nose.to_centre);
-        self.end(motion, ending, RuleSet::of(&[rule]), stream, setup)
-    }
-
-    /// The repetition leaves the tip where it is (E100L-NRC-46).
-    fn stay(&mut self, motion: Pending, element: &Leg, stream: &mut Stream, setup: &Setup) -> Outcome<()> {
-        let ending = motion.spot.kept(self.axes, element.nose.to_centre);
-        self.end(motion, ending, RuleSet::EMPTY, stream, setup)
+        let rules = RuleSet::of(&[rule]);
+        self.end(motion, &Reach::contact(element), element.nose, rules, stream, state)
     }
 
     /// Releases what is held, and what the present block has emitted; where the axes are.
-    fn release(self, stream: &mut Stream) -> Point {
+    pub fn release(self, stream: &mut Stream) -> M::Axes {
         let present = stream.take();
         for (place, event) in self.events.into_iter().chain(present) {
-            stream.decide((place, at_rest(event, self.axes)));
+            stream.decide((place, M::at_rest(event, self.axes)));
         }
         self.axes
     }

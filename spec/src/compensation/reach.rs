@@ -1,9 +1,13 @@
 //! The way from P to the nose centre C, and where C is latched (E100L-NRC-02, E100L-NRC-07).
 
 use super::leg::Leg;
+use crate::contour::PlanePoint;
 use crate::path::{Point, Vector};
 use crate::quantity::{Exact, narrow, whole};
 use crate::real::{self, Interval};
+
+/// The largest coordinate of a point.
+const FARTHEST: i64 = 1 << 60;
 
 /// A vector of real numbers, known to any precision: z, and x as a radius.
 pub struct Reach(Box<dyn Fn(usize) -> (Interval, Interval)>);
@@ -22,6 +26,18 @@ impl Reach {
             let (z, x) = unit(&left, precision);
             (z.times(offset), x.times(offset))
         })
+    }
+
+    /// E100L-CRC-14: the cutter centre seen from a point P of its plane, p for z and q for x, latched. What is beyond every
+    /// range is kept within 2^60.
+    pub fn in_plane(&self, point: PlanePoint) -> PlanePoint {
+        let (p, q) = (whole(point.p), whole(point.q));
+        let [p, q] = real::nearest_wholes(|precision| {
+            let (along_p, along_q) = (self.0)(precision);
+            [Interval::of(&p, precision).add(&along_p), Interval::of(&q, precision).add(&along_q)]
+        });
+        let within = |coordinate| narrow(coordinate).clamp(-FARTHEST, FARTHEST);
+        PlanePoint { p: within(&p), q: within(&q) }
     }
 
     /// E100L-NRC-07: the nose centre seen from P, latched: X as a diameter, and Z. What is beyond every range is

@@ -1,7 +1,7 @@
 //! Start-up: the motion that leads into compensation (E100L-NRC-14 to -24).
 
 use super::corner::corner;
-use super::ending::{Pending, Spot};
+use super::ending::Pending;
 use super::leg::Leg;
 use super::nose::Nose;
 use super::on::{On, Waiting};
@@ -13,7 +13,7 @@ use crate::path::{Axes, Element, LINEAR, Point, Shape, Tested, Vector, Way, carr
 use crate::quantity::whole;
 use crate::state::State;
 use crate::vocabulary::rule_ids::*;
-use crate::vocabulary::{AlarmName, ReadingSet, RuleId, RuleSet};
+use crate::vocabulary::{AlarmName, Place, ReadingSet, RuleId, RuleSet};
 
 /// E100L-NRC-20: the motion of a start-up block that has none of its own.
 pub fn without_words(plan: &Plan, state: &State) -> Element {
@@ -36,7 +36,7 @@ pub fn begin(
     plan: &Plan,
     stream: &mut Stream,
     state: &mut State,
-) -> Outcome<On> {
+) -> Outcome<On<Pending>> {
     element.check_range(state.setup)?;
     if matches!(element.shape, Shape::Arc { .. }) {
         return fail(AlarmName::CompensationNotLinear, NRC_19);
@@ -79,11 +79,11 @@ pub fn end(imaginary: Option<&Leg>, j: &Leg, between: RuleSet) -> Outcome<(Reach
 }
 
 /// E100L-NRC-15: no element follows the start-up.
-pub fn nothing_to_touch(spot: &Spot) -> Fault {
-    Fault::about(AlarmName::Unspecified, NRC_15, "start_up").of_block(spot.place)
+pub fn nothing_to_touch(start_up: Place) -> Fault {
+    Fault::about(AlarmName::Unspecified, NRC_15, "start_up").of_block(start_up)
 }
 
 /// E100L-NRC-21, E100L-NRC-22: no element follows the start-up in time.
-pub fn unmet(spot: &Spot, rule: RuleId) -> Fault {
-    Fault::new(AlarmName::CompensationStartUp, rule).of_block(spot.place)
+pub fn unmet(start_up: Place, rule: RuleId) -> Fault {
+    Fault::new(AlarmName::CompensationStartUp, rule).of_block(start_up)
 }

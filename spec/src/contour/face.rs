@@ -57,7 +57,7 @@ pub fn cut(plan: &Plan, state: &mut State, emissions: &mut Vec<Emission>) -> Out
 }
 
 /// E100L-CGF-08: X of start and target.
-fn is_positive(way: &Way, plan: &Plan) -> Outcome<()> {
+pub fn is_positive(way: &Way, plan: &Plan) -> Outcome<()> {
     let lowest = if plan.motion() == 101 { 0 } else { 1 };
     if way.start.x < lowest || way.end.x < lowest {
         return fail(AlarmName::ContourXNotPositive, CGF_08);
@@ -65,7 +65,8 @@ fn is_positive(way: &Way, plan: &Plan) -> Outcome<()> {
     Ok(())
 }
 
-fn cited(plan: &Plan, state: &State) -> RuleSet {
+/// The rules that the motions of a block cite.
+pub fn cited(plan: &Plan, state: &State) -> RuleSet {
     let rules = RuleSet::of(&[CGF_01, CGF_06]);
     if plan.converts { rules.with(CGF_14).union(position::cited(plan, state)) } else { rules }
 }

@@ -4,7 +4,7 @@ use super::arc::Arc;
 use super::face::FaceStep;
 use super::motion::{Course, face_point};
 use super::plane::{PlanePoint, cosine};
-use super::way::{Bearing, Way};
+use super::way::{Bearing, Way, Whose};
 use crate::fault::{Fault, Outcome};
 use crate::modal::Plan;
 use crate::quantity::{ratio, whole};
@@ -15,20 +15,43 @@ use crate::vocabulary::{AlarmName, ContourPlane, RuleSet, Sense};
 /// How near the centre of the face no arc passes, in nanometres.
 const NEAR: i64 = 1_000;
 
+/// An arc of the face.
+#[derive(Clone, Copy, Debug)]
+pub struct FaceArc {
+    /// Its centre.
+    pub centre: PlanePoint,
+    /// Its radius.
+    pub radius: i64,
+    /// The way round.
+    pub sense: Sense,
+}
+
+impl FaceArc {
+    /// The arc of a block.
+    pub fn of(way: &Way, plan: &Plan) -> Outcome<Self> {
+        let sense = if plan.motion() == 102 { Sense::Clockwise } else { Sense::CounterClockwise };
+        let radius = plan.words.get('L').unwrap_or(0);
+        let arc = Arc { start: way.start.point, end: way.end.point, radius, sense };
+        let centre = arc.centre(|precision| chord_square(way, precision), CGF_04)?;
+        Ok(Self { centre, radius, sense })
+    }
+
+    /// Its course.
+    pub fn course(&self) -> Course {
+        Course::Arc(self.sense, ContourPlane::FaceCentre(face_point(self.centre)))
+    }
+}
+
 /// The motion along the arc of a block.
 pub fn step(way: &Way, plan: &Plan) -> Outcome<FaceStep> {
-    let sense = if plan.motion() == 102 { Sense::Clockwise } else { Sense::CounterClockwise };
-    let radius = plan.words.get('L').unwrap_or(0);
-    let arc = Arc { start: way.start.point, end: way.end.point, radius, sense };
-    let centre = arc.centre(|precision| chord_square(way, precision), CGF_04)?;
-    let travel = travel(way, centre, radius, sense)?;
-    let course = Course::Arc(sense, ContourPlane::FaceCentre(face_point(centre)));
-    Ok(FaceStep { end: way.end, travel, course, rules: RuleSet::of(&[CGF_04]) })
+    let arc = FaceArc::of(way, plan)?;
+    let travel = travel(way, &arc)?;
+    Ok(FaceStep { end: way.end, travel, course: arc.course(), rules: RuleSet::of(&[CGF_04]) })
 }
 
 /// The square of the exact distance of the ends: of the programmed points in conversion mode, else by diameters and angle.
 fn chord_square(way: &Way, precision: usize) -> Interval {
-    if way.converts {
+    if way.of != Whose::Axes {
         return Interval::of(&way.start.point.distance_square(way.end.point), precision);
     }
     let (start, end) = (whole(way.start.x), whole(way.end.x));
@@ -39,7 +62,8 @@ fn chord_square(way: &Way, precision: usize) -> Interval {
 }
 
 /// E100L-CGF-06: as the chord does, unless the centre of the face lies between chord and arc.
-fn travel(way: &Way, centre: PlanePoint, radius: i64, sense: Sense) -> Outcome<i64> {
+pub fn travel(way: &Way, arc: &FaceArc) -> Outcome<i64> {
+    let FaceArc { centre, radius, sense } = *arc;
     let forward = sense == Sense::CounterClockwise;
     let (of_arc, of_other) =
         if forward { (way.forward(), way.backward()) } else { (way.backward(), way.forward()) };

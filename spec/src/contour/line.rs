@@ -4,7 +4,7 @@
 use super::face::FaceStep;
 use super::motion::Course;
 use super::plane::PlanePoint;
-use super::way::{Bearing, End, Way};
+use super::way::{Bearing, End, Way, Whose};
 use crate::fault::{Fault, Outcome};
 use crate::quantity::{Exact, narrow, ratio, round_narrow, whole};
 use crate::real::{self, Interval};
@@ -49,10 +49,10 @@ fn along_ray(way: &Way) -> FaceStep {
     line(way, 0, RuleSet::of(&[CGF_09]))
 }
 
-/// E100L-CGF-02, E100L-CGF-03: straight to the target. On a ray X alone is what the line is long.
+/// E100L-CGF-02, E100L-CGF-03: straight to the target. On a ray X alone is what the line is long, but of a cutter centre.
 fn line(way: &Way, travel: i64, rules: RuleSet) -> FaceStep {
     let (start, end) = (way.start, way.end);
-    let square = if travel == 0 {
+    let square = if travel == 0 && way.of != Whose::Cutter {
         let radius = ratio(end.x - start.x, 2);
         &radius * &radius
     } else {

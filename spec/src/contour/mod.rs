@@ -20,7 +20,15 @@ mod way;
 
 pub use check::{Asked, check_beginning, check_block, check_conversion, check_plane};
 pub use convert::convert;
+pub use face::{FaceStep, cited as face_cited, is_positive};
+pub use face_arc::{FaceArc, travel as arc_travel};
 pub use kept::Kept;
+pub use line::steps as line_steps;
+pub use motion::{Course, Step, carry_out as carry_out_step, of_turn};
+pub use plane::PlanePoint;
+pub use position::{Direction, axes as axes_of_point, element as positioning, go_to, target as point_of};
+pub use side::{Cylinder, cited as side_cited, sense as side_sense, target as side_target};
+pub use way::{End, Way, Whose};
 
 use crate::emission::Emission;
 use crate::fault::{Outcome, fail};
@@ -59,7 +67,7 @@ pub fn carry_out(plan: &Plan, state: &mut State, emissions: &mut Vec<Emission>) 
 }
 
 /// The C axis must be joined and released; the rules that say so.
-fn needs_c_axis(not_joined: RuleId, clamped: RuleId, state: &State) -> Outcome<()> {
+pub fn needs_c_axis(not_joined: RuleId, clamped: RuleId, state: &State) -> Outcome<()> {
     if !state.c_joined() {
         return fail(AlarmName::CAxisNotJoined, not_joined);
     }

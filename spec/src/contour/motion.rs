@@ -10,6 +10,7 @@ use crate::quantity::{ratio, round_narrow};
 use crate::state::State;
 use crate::vocabulary::{
     Action, AlarmName, ContourPlane, FacePoint, Feed, FeedRate, Length, Motion, Part, RuleId, RuleSet, Sense,
+    Setup,
 };
 
 /// A motion of a contour.
@@ -78,7 +79,7 @@ pub fn carry_out(
     let motion = Motion { face: step.point.map(face_point), ..standing(Some(step.travel), state) };
     let action = match step.course {
         Course::Line { path, part } => {
-            let feed = if part == Some(Part::Turn) { of_turn(feed, state) } else { feed };
+            let feed = if part == Some(Part::Turn) { of_turn(feed, state.setup) } else { feed };
             Action::Linear { motion: Motion { part, ..motion }, feed, path: Length(path) }
         }
         Course::Arc(sense, plane) => Action::ContourArc { motion, feed, sense, plane },
@@ -89,7 +90,7 @@ pub fn carry_out(
 }
 
 /// E100L-CGF-12: the feed of C alone at the centre of the face. A feed is below 2^57, the percentage at most 1000.
-fn of_turn(feed: Feed, state: &State) -> Feed {
-    let percent = ratio(state.setup.parameters.centre_override, 100);
+pub fn of_turn(feed: Feed, setup: &Setup) -> Feed {
+    let percent = ratio(setup.parameters.centre_override, 100);
     Feed { value: FeedRate(round_narrow(&(ratio(feed.value.0, 1) * percent))), ..feed }
 }

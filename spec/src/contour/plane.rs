@@ -4,7 +4,7 @@ use crate::integer::turn;
 use crate::quantity::{Exact, narrow, ratio, whole};
 use crate::real::{self, Interval};
 
-/// A latched point, in nanometres: coordinates below 2^60.
+/// A latched point or a vector, in nanometres: coordinates below 2^62.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct PlanePoint {
     /// The first coordinate.
@@ -28,6 +28,11 @@ impl PlanePoint {
             p: times(&|precision| cosine(angle, precision)),
             q: times(&|precision| cosine(angle - quarter, precision)),
         }
+    }
+
+    /// The vector from another point, of which no coordinate differs by more than 2^62.
+    pub fn from(self, other: Self) -> Self {
+        Self { p: self.p - other.p, q: self.q - other.q }
     }
 
     /// Vector product of the vectors to both points: positive when `other` is counter-clockwise of `self`.

@@ -29,23 +29,42 @@ pub fn target(plan: &Plan, kept: Option<PlanePoint>) -> Option<PlanePoint> {
     Some(PlanePoint { p, q })
 }
 
-/// E100L-CSC-03: program X and program C of a point, latched.
+/// How a point of the face becomes program X and C: C of its first axis, in conversion mode θ (E100L-CSC-01) less the
+/// zero shift that does not belong to it (E100L-CSC-04), in micro-degrees.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Direction(i64);
+
+impl Direction {
+    /// In conversion mode.
+    pub fn of_conversion(state: &State) -> Self {
+        let shift = match state.setup.parameters.conversion_zero_shift {
+            ConversionZeroShift::Included => 0,
+            ConversionZeroShift::Excluded => state.frame.zero_shift.c,
+        };
+        Self(state.contour.direction - shift)
+    }
+
+    /// Out of it: the first axis is on program C0 (E100L-CGF-01).
+    pub const ZERO: Self = Self(0);
+
+    /// E100L-CSC-03: program X and program C of a point, latched.
+    pub fn axes(self, point: PlanePoint) -> (i64, i64) {
+        let square = whole(4) * whole(point.square());
+        let x = narrow(&real::nearest_whole(|precision| Interval::of(&square, precision).sqrt()));
+        let angle = if point == PlanePoint::CENTRE {
+            0
+        } else {
+            let (p, q) = (whole(point.p), whole(point.q));
+            let degrees = |precision| real::atan2_degrees(&q, &p, precision).times(1_000_000);
+            narrow(&real::nearest_whole(degrees))
+        };
+        (x, turn::within(self.0 + angle))
+    }
+}
+
+/// E100L-CSC-03: program X and program C of a point in conversion mode.
 pub fn axes(point: PlanePoint, state: &State) -> (i64, i64) {
-    let square = whole(4) * whole(point.square());
-    let x = narrow(&real::nearest_whole(|precision| Interval::of(&square, precision).sqrt()));
-    let angle = if point == PlanePoint::CENTRE {
-        0
-    } else {
-        let (p, q) = (whole(point.p), whole(point.q));
-        let degrees = |precision| real::atan2_degrees(&q, &p, precision).times(1_000_000);
-        narrow(&real::nearest_whole(degrees))
-    };
-    // E100L-CSC-04.
-    let shift = match state.setup.parameters.conversion_zero_shift {
-        ConversionZeroShift::Included => 0,
-        ConversionZeroShift::Excluded => state.frame.zero_shift.c,
-    };
-    (x, turn::within(state.contour.direction + angle - shift))
+    Direction::of_conversion(state).axes(point)
 }
 
 /// The rules that the motions of a block in conversion mode cite.
@@ -56,8 +75,8 @@ pub fn cited(plan: &Plan, state: &State) -> RuleSet {
     rules.fold(RuleSet::of(&[CSC_02, CSC_03]), RuleSet::with)
 }
 
-/// Positions to the point of a block in G00.
-pub fn go(plan: &Plan, state: &mut State) -> Outcome<Emission> {
+/// The motion to the point of a block in G00, and the point. Its C alarms come behind the range.
+pub fn element(plan: &Plan, state: &State) -> Outcome<(Element, PlanePoint)> {
     let Some(point) = target(plan, state.contour.point(&state.frame)) else {
         return Err(Fault::about(AlarmName::Unspecified, CSC_06, "start"));
     };
@@ -77,12 +96,29 @@ pub fn go(plan: &Plan, state: &mut State) -> Outcome<Emission> {
     element.check_range(state.setup)?;
     needs_c_axis(CAX_02, CAX_07, state)?;
     element.axes.c = Some(turn::travel(present.c, c, 0, state.is_active(15)));
+    Ok((element, point))
+}
+
+/// Positions to the point of a block in G00.
+pub fn go(plan: &Plan, state: &mut State) -> Outcome<Emission> {
+    let (element, point) = element(plan, state)?;
     let from = (state.frame.machine.x, state.frame.machine.z);
     let way = Way { from, limits: Tested::Commanded, barriers: true };
-    let mut event = carry_out(&element, way, plan, state)?;
+    go_to(&element, point, way, plan, state)
+}
+
+/// The event of that motion; its point is kept (E100L-CSC-06).
+pub fn go_to(
+    element: &Element,
+    point: PlanePoint,
+    way: Way,
+    plan: &Plan,
+    state: &mut State,
+) -> Outcome<Emission> {
+    let mut event = carry_out(element, way, plan, state)?;
     if let Action::Rapid { motion } = &mut event.action {
         motion.face = Some(face_point(point));
     }
-    state.contour.keep(point, x, c, &state.frame);
+    state.contour.keep(point, element.target.x, element.target.c, &state.frame);
     Ok(event)
 }

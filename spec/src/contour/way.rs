@@ -31,8 +31,19 @@ pub struct Way {
     pub end: End,
     /// Where Z starts and ends.
     pub z: (i64, i64),
-    /// Whether X and Y are written instead of X and C.
-    pub converts: bool,
+    /// Whose it is, which tells what its rays are told from.
+    pub of: Whose,
+}
+
+/// Whose a way is.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Whose {
+    /// A block's with X and C: its angles count.
+    Axes,
+    /// A block's with X and Y: its points count.
+    Points,
+    /// That of a cutter centre in compensation: its points count, and its length is theirs (E100L-CRC-14).
+    Cutter,
 }
 
 /// How the end lies, seen from the centre, to the start; neither is the centre.
@@ -53,7 +64,8 @@ impl End {
         Self { point: PlanePoint::at(x, c), x, c, is_centre: x == 0 }
     }
 
-    fn of_point(point: PlanePoint, (x, c): (i64, i64)) -> Self {
+    /// A point of the face, with its program X and C.
+    pub fn of_point(point: PlanePoint, (x, c): (i64, i64)) -> Self {
         Self { point, x, c, is_centre: point == PlanePoint::CENTRE }
     }
 }
@@ -68,11 +80,10 @@ impl Way {
             Some(word) => word,
         };
         let z = (present.z, target('Z', present.z));
-        let converts = plan.converts;
-        if !converts {
+        if !plan.converts {
             let c = turn::within(target('C', present.c));
             let (start, end) = (End::of_axes(present.x, present.c), End::of_axes(target('X', present.x), c));
-            return Ok(Self { start, end, z, converts });
+            return Ok(Self { start, end, z, of: Whose::Axes });
         }
         // E100L-CGF-14: from the point that was programmed.
         let kept = state.contour.point(&state.frame);
@@ -80,23 +91,24 @@ impl Way {
             return Err(Fault::about(AlarmName::Unspecified, CGF_14, "start"));
         };
         let start = End::of_point(from, (present.x, present.c));
-        Ok(Self { start, end: End::of_point(to, position::axes(to, state)), z, converts })
+        Ok(Self { start, end: End::of_point(to, position::axes(to, state)), z, of: Whose::Points })
     }
 
-    /// E100L-CGF-06, E100L-CGF-14: decided by the programmed points in conversion mode, else by the angles.
+    /// E100L-CGF-06, E100L-CGF-14: decided by the programmed points in conversion mode, else by the angles; of a cutter by
+    /// the points of its centre.
     pub fn bearing(&self) -> Bearing {
         let (start, end) = (self.start.point, self.end.point);
         let (cross, dot) = (start.cross(end), start.dot(end));
         let half = turn::FULL_TURN / 2;
-        match (self.converts, self.forward()) {
-            (false, 0) => Bearing::Same,
-            (false, forward) if forward == half => Bearing::Opposite,
-            (false, forward) if forward < half => Bearing::Forward,
-            (false, _) => Bearing::Backward,
-            (true, _) if cross > 0 => Bearing::Forward,
-            (true, _) if cross < 0 => Bearing::Backward,
-            (true, _) if dot > 0 => Bearing::Same,
-            (true, _) => Bearing::Opposite,
+        match (self.of == Whose::Axes, self.forward()) {
+            (true, 0) => Bearing::Same,
+            (true, forward) if forward == half => Bearing::Opposite,
+            (true, forward) if forward < half => Bearing::Forward,
+            (true, _) => Bearing::Backward,
+            (false, _) if cross > 0 => Bearing::Forward,
+            (false, _) if cross < 0 => Bearing::Backward,
+            (false, _) if dot > 0 => Bearing::Same,
+            (false, _) => Bearing::Opposite,
         }
     }
 

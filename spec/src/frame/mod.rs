@@ -51,7 +51,7 @@ impl Frame {
     }
 
     /// Machine minus program coordinates (E100L-COORD-03).
-    fn total(&self) -> Amounts {
+    pub fn total(&self) -> Amounts {
         let sign = match self.sign {
             ToolOffsetSign::Added => 1,
             ToolOffsetSign::Subtracted => -1,

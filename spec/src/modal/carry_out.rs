@@ -10,14 +10,14 @@ use crate::contour;
 use crate::controls::e100l::g_codes::{GCode, GGroup, g_code};
 use crate::cycle;
 use crate::emission::Emission;
-use crate::fault::Outcome;
+use crate::fault::{Fault, Outcome};
 use crate::integer::turn;
 use crate::lap;
 use crate::saddle::{Commands, is_common_g, is_common_m};
 use crate::state::{Modes, State};
 use crate::thread;
 use crate::vocabulary::rule_ids::*;
-use crate::vocabulary::{Action, FrameCause, InchConversion, Label, RuleId, RuleSet};
+use crate::vocabulary::{Action, AlarmName, FrameCause, InchConversion, Label, RuleId, RuleSet};
 
 /// Carries out what comes before the motion.
 pub fn before_motion(plan: &Plan, state: &mut State, emissions: &mut Vec<Emission>) -> Outcome<()> {
@@ -63,6 +63,9 @@ pub fn before_motion(plan: &Plan, state: &mut State, emissions: &mut Vec<Emissio
     for code in words.m.iter().filter(|code| acts_before_motion(**code, plan, waits)) {
         // M124 itself is not checked, M125 still is.
         let in_force = state.is_active(124) && *code != 124;
+        if *code == 109 && plan.cutter.is_some() {
+            return Err(Fault::about(AlarmName::Unspecified, CRC_14, "M109"));
+        }
         let event = miscellaneous::command(*code, plan, state)?;
         emissions.push(event.rule_if(for_both && is_common_m(*code), AX4_06));
         check_time(&Timed::M, in_force, state)?;

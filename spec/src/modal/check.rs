@@ -1,6 +1,6 @@
 //! What a block as a whole must satisfy before anything of it is carried out.
 
-use super::compensation;
+use super::compensation::{self, CutterPlane};
 use super::function::every_word_has_a_function;
 use super::machine::check_reference;
 use super::words::Words;
@@ -25,6 +25,8 @@ pub struct Plan {
     pub one_shot: Option<u16>,
     /// What it does to radius compensation.
     pub compensation: Change,
+    /// The plane of rotary tools in which G41 or G42 was or is in force.
+    pub cutter: Option<CutterPlane>,
     /// What it is in a cycle of driven tools.
     pub cycle: Option<CycleBlock>,
     /// Whether it moves axes.
@@ -92,6 +94,16 @@ impl Plan {
         self.moves && acts && self.words.has_any("XYZ")
     }
 
+    /// Whether it moves in a plane of rotary tools (CRC-14): on the face along X or C, on the side along Z or C.
+    pub fn moves_in(&self, plane: CutterPlane) -> bool {
+        let letters = match plane {
+            CutterPlane::Face if self.converts => "XY",
+            CutterPlane::Face => "XC",
+            CutterPlane::Side => "ZC",
+        };
+        self.moves && self.one_shot.is_none() && self.cycle.is_none() && self.words.has_any(letters)
+    }
+
     /// Whether an angle is all that it says of its end point (E100L-ANG-06).
     pub fn is_angle_only(&self) -> bool {
         self.moves && self.motion() <= 1 && self.words.get('A').is_some() && !self.words.has_any("XZ")
@@ -118,6 +130,7 @@ pub fn check(words: Words, before: Before, state: &State) -> Outcome<Plan> {
     let setup = state.setup;
     let modes = select(&words, before.modes);
     let compensation = change(before.modes, modes);
+    let cutter = CutterPlane::of(before.modes, modes);
     let motion = modes.get(GGroup::Motion);
     // G80 leaves its block what it is without it.
     let one_shot = words.one_shot().filter(|code| *code != 80);
@@ -198,13 +211,16 @@ pub fn check(words: Words, before: Before, state: &State) -> Outcome<Plan> {
     lap::change_points_belong_to_call(&words)?;
     match one_shot {
         Some(code @ 85..=88) => lap::every_word_has_a_function(code, &words)?,
-        _ => every_word_has_a_function(&words, one_shot, motion, compensation, cycle, converts, state)?,
+        _ => {
+            let imaginary = compensation != Change::Stays && cutter.is_none();
+            every_word_has_a_function(&words, one_shot, motion, imaginary, cycle, converts, state)?;
+        }
     }
-    let plan = Plan { words, modes, one_shot, compensation, cycle, moves, converts };
+    let plan = Plan { words, modes, one_shot, compensation, cutter, cycle, moves, converts };
     cycle::not_in_compensation(&plan, before)?;
     thread::not_in_compensation(&plan, before)?;
     contour::check_plane(&plan, before, setup)?;
-    compensation::check(&plan, before, state.c_joined())?;
+    compensation::check(&plan, before, state)?;
     Ok(plan)
 }
 

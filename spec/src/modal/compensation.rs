@@ -3,18 +3,52 @@
 use super::check::{Before, Change, Plan};
 use crate::controls::e100l::g_codes::GGroup;
 use crate::fault::{Fault, Outcome, fail};
+use crate::state::{Modes, State};
 use crate::vocabulary::rule_ids::*;
-use crate::vocabulary::{AlarmName, RuleId};
+use crate::vocabulary::{AlarmName, Label, RuleId};
+
+/// A plane in which the radius of a rotary tool is compensated (E100L-CRC-01).
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum CutterPlane {
+    /// G17: the face.
+    Face,
+    /// G119: the developed side.
+    Side,
+}
+
+impl CutterPlane {
+    /// The plane in which G41 or G42 was in force, or is now, the block's own plane code included (E100L-CRC-11); none if
+    /// that is the plane of turning.
+    pub fn of(before: Modes, after: Modes) -> Option<Self> {
+        let modes = [before, after].into_iter().find(Modes::compensating)?;
+        match modes.get(GGroup::Plane) {
+            17 => Some(Self::Face),
+            119 => Some(Self::Side),
+            _ => None,
+        }
+    }
+
+    /// E100L-CRC-06, E100L-CRC-07: the motion codes that it takes.
+    fn takes(self, motion: u16) -> bool {
+        match self {
+            Self::Face => matches!(motion, 0 | 1 | 101..=103),
+            Self::Side => matches!(motion, 0 | 1 | 132 | 133),
+        }
+    }
+}
 
 /// Check 6 of execution.md.
-pub fn check(plan: &Plan, before: Before, c_joined: bool) -> Outcome<()> {
-    plane(plan, before, c_joined)?;
+pub fn check(plan: &Plan, before: Before, state: &State) -> Outcome<()> {
+    plane(plan, before, state.c_joined())?;
+    if let Some(plane) = plan.cutter {
+        cutter(plane, plan, before, state.lap.definition.is_some())?;
+    }
     change(plan)?;
     one_shot(plan, before)?;
     meeting(plan)
 }
 
-/// E100L-CRC-02, E100L-CRC-13, E100L-CRC-14.
+/// E100L-CRC-02, E100L-CRC-13.
 fn plane(plan: &Plan, before: Before, c_joined: bool) -> Outcome<()> {
     let words = &plan.words;
     let of_rotary_tool = words.has_g(17) || words.has_g(119);
@@ -25,9 +59,40 @@ fn plane(plan: &Plan, before: Before, c_joined: bool) -> Outcome<()> {
     if (of_rotary_tool || words.has_g(18)) && in_compensation {
         return fail(AlarmName::PlaneChangeInCompensation, CRC_13);
     }
-    let turning = plan.modes.get(GGroup::Plane) == 18;
-    match ["G41", "G42"].into_iter().zip([41, 42]).find(|(_, code)| words.has_g(*code)) {
-        Some((code, _)) if !turning => Err(Fault::about(AlarmName::NotModelled, CRC_14, code)),
+    Ok(())
+}
+
+/// E100L-CRC-06, E100L-CRC-07, E100L-CRC-12, E100L-CRC-14, E100L-LAP-16: what is refused in the planes of rotary tools.
+fn cutter(plane: CutterPlane, plan: &Plan, before: Before, in_definition: bool) -> Outcome<()> {
+    let unspecified = |rule, detail: &str| Err(Fault::about(AlarmName::Unspecified, rule, detail));
+    let words = &plan.words;
+    if let Some(code) = words.g.iter().copied().find(|code| matches!(code, 41 | 42)) {
+        if in_definition {
+            return unspecified(LAP_16, Label::of_code(b'G', code).as_str());
+        }
+        let other = before.modes.compensating() && before.modes.get(GGroup::Compensation) != code;
+        if other {
+            return unspecified(CRC_12, "side");
+        }
+    }
+    let moves = plan.moves && plan.one_shot != Some(22);
+    if moves && !plane.takes(plan.motion()) {
+        let rule: RuleId = if plane == CutterPlane::Face { CRC_06 } else { CRC_07 };
+        return unspecified(rule, Label::of_code(b'G', plan.motion()).as_str());
+    }
+    let corner = [
+        ("A", words.get('A').is_some()),
+        ("QA", words.extended("QA").is_some()),
+        ("G75", words.has_g(75)),
+        ("G76", words.has_g(76)),
+    ];
+    if let Some((detail, _)) = corner.into_iter().find(|(_, has)| moves && *has) {
+        return unspecified(CRC_14, detail);
+    }
+    let moves_in_plane = plan.moves_in(plane);
+    match plan.compensation {
+        Change::Begins if !moves_in_plane || before.left_over => unspecified(CRC_14, "start_up"),
+        Change::Ends if !moves_in_plane => unspecified(CRC_14, "cancel"),
         _ => Ok(()),
     }
 }

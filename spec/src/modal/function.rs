@@ -1,6 +1,5 @@
 //! Which words the functions of a block take.
 
-use super::check::Change;
 use super::words::Words;
 use crate::cycle::{self, CycleBlock};
 use crate::fault::{Fault, Outcome};
@@ -9,12 +8,12 @@ use crate::syntax::Address;
 use crate::vocabulary::AlarmName;
 use crate::vocabulary::rule_ids::*;
 
-/// E100L-ADDR-01: a word that no function of the block takes.
+/// E100L-ADDR-01: a word that no function of the block takes. `imaginary`: it may have the point of I and K.
 pub fn every_word_has_a_function(
     words: &Words,
     one_shot: Option<u16>,
     motion: u16,
-    compensation: Change,
+    imaginary: bool,
     block: Option<CycleBlock>,
     converts: bool,
     state: &State,
@@ -38,7 +37,7 @@ pub fn every_word_has_a_function(
         (None, 102 | 103) => (if converts { b"XYL" } else { b"XCL" }, &[], false),
         (None, 132 | 133) => (b"XZCL", &[], false),
         // E100L-NRC-23, E100L-NRC-69: the imaginary point.
-        (None, 0 | 1) if compensation != Change::Stays => (b"XZCWAIK", &["QA"], false),
+        (None, 0 | 1) if imaginary => (b"XZCWAIK", &["QA"], false),
         (None, 0 | 1) => (b"XZCWA", &["QA"], false),
         (None, 31..=33) => (b"XZIAKELJC", &[], false),
         (None, 34 | 35) => (b"XZAEJC", &[], false),

@@ -18,6 +18,7 @@ mod written;
 
 pub use carry_out::{before_motion, end, end_code, stop};
 pub use check::{Before, Change, Plan, check};
+pub use compensation::CutterPlane;
 pub use feed::{
     active_feed, dwell, dwell_time, in_force as feed_in_force, is_feed, readings as feed_readings,
 };

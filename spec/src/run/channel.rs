@@ -173,7 +173,7 @@ impl<'a> Channel<'a> {
     fn after_motion(&mut self, moved: &Moved, block: Carried, stream: &mut Stream) -> Outcome<Progress> {
         let plan = &moved.plan;
         if let Some(code) = modal::end_code(plan) {
-            self.compensation.end_of_program(stream, &self.state)?;
+            self.compensation.end_of_program(stream, &mut self.state)?;
             self.check_end_of_selected()?;
             let selected = self.schedule.is_some();
             if !selected {
@@ -192,14 +192,14 @@ impl<'a> Channel<'a> {
     /// M00 and M01, and the end of a block that does not end the program.
     pub(super) fn end_of_block(&mut self, moved: &Moved, stream: &mut Stream) -> Outcome<()> {
         stream.emissions.extend(modal::stop(&moved.plan, &self.state));
-        self.compensation.end_of_block(moved.in_plane, stream, &self.state)
+        self.compensation.end_of_block(moved.in_plane, stream, &mut self.state)
     }
 
     /// A block that selects a turret: one without motion.
     fn change_turret(&mut self, codes: &[Side], stream: &mut Stream) -> Outcome<()> {
         let left_over = self.compensation.is_left_over();
         turret::change(codes, left_over, &mut self.state, &mut stream.emissions)?;
-        self.compensation.end_of_block(false, stream, &self.state)
+        self.compensation.end_of_block(false, stream, &mut self.state)
     }
 
     pub(super) fn before(&self) -> Before {
@@ -226,6 +226,7 @@ impl<'a> Channel<'a> {
                 self.state.thread.chain = false;
                 path::torque_skip(plan, &mut self.state, &mut stream.emissions)?;
             }
+            _ if plan.cutter.is_some() => {}
             None if plan.is_thread() => thread::cut(plan, &mut self.state, &mut stream.emissions)?,
             None if contour::has_own_motions(plan) => {
                 contour::carry_out(plan, &mut self.state, &mut stream.emissions)?;
@@ -235,6 +236,9 @@ impl<'a> Channel<'a> {
                 elements = self.state.in_contour_coordinates(|state| path::elements(plan, &ahead, state))?;
             }
             _ => {}
+        }
+        if let Some(plane) = plan.cutter {
+            return self.compensation.motion_of_cutter(plane, plan, dwell, stream, &mut self.state);
         }
         lap::place(plan, &mut elements, &mut self.state)?;
         self.compensation.motion(plan, &elements, dwell, stream, &mut self.state)

@@ -211,7 +211,7 @@ impl<'a> SideProgram<'a> {
 
     /// E100L-AX4-05: M02, M30, or no block is left. The reset comes when both sides have ended.
     fn end(&mut self, code: Option<u16>, stream: &mut Stream) -> Outcome<Status> {
-        self.channel.compensation.end_of_program(stream, &self.channel.state)?;
+        self.channel.compensation.end_of_program(stream, &mut self.channel.state)?;
         self.ended_with = code.map(|code| (stream.place, code));
         let code = code.map_or(Label::default(), |code| Label::of_code(b'M', code));
         stream.emissions.push(Emission::new(Action::SideEnd { code }, RuleSet::of(&[AX4_05])));

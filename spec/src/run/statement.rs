@@ -62,7 +62,7 @@ impl Channel<'_> {
             // The frame may have changed: a corner of before means nothing now.
             self.state.base = None;
         }
-        self.compensation.end_of_block(false, stream, &self.state)
+        self.compensation.end_of_block(false, stream, &mut self.state)
     }
 
     /// E100L-GOTO-01 to -03, E100L-IFST-03: the run goes on with the block of a name; nothing else changes.
