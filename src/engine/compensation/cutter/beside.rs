@@ -17,7 +17,7 @@ use crate::engine::state::{W, Z};
 use crate::engine::words::Words;
 
 use super::Plane;
-use super::block::Targets;
+use super::course::Targets;
 
 impl Interpreter<'_> {
     /// A motion of other axes; where the cutter is shows when its turn comes.

@@ -131,7 +131,7 @@ impl Interpreter<'_> {
     ) -> Result<Leg, Fault> {
         let travel = match planted::is(Bug::CutterUnwoundLost) {
             true => turn::shorter(from.c, to.c),
-            false => to.wound.saturating_sub(from.wound),
+            false => to.unwrapped.saturating_sub(from.unwrapped),
         };
         self.check_wound(travel)?;
         let from_start = |p: i64| Length(plane.seen(p).saturating_sub(programmed.from_u));

@@ -8,6 +8,7 @@
 mod beside;
 mod block;
 mod check;
+mod course;
 mod legs;
 mod motion;
 mod place;
@@ -86,7 +87,7 @@ struct Place {
     /// Within a turn.
     c: i64,
     /// In G119: as far as C has turned, whole turns included, from where it stood when compensation began.
-    wound: i64,
+    unwrapped: i64,
 }
 
 /// What a motion of the plane programs, with what was in force in its block.

@@ -174,7 +174,7 @@ impl Place {
             x: self.x.saturating_sub(other.x),
             z: self.z.saturating_sub(other.z),
             c: self.c.saturating_sub(other.c),
-            wound: 0,
+            unwrapped: 0,
         }
     }
 }

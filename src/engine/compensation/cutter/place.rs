@@ -64,7 +64,7 @@ impl Interpreter<'_> {
             0 => 0,
             _ => round(&Turned { length, diameter: of_program.x }, &mut self.slow),
         };
-        let wound = of_program.wound.saturating_add(turned);
-        Ok(Place { point, z: point.q, c: turn::within(wound), wound, ..of_program })
+        let unwrapped = of_program.unwrapped.saturating_add(turned);
+        Ok(Place { point, z: point.q, c: turn::within(unwrapped), unwrapped, ..of_program })
     }
 }

@@ -275,3 +275,58 @@ fn limits_are_tested_where_the_axes_go() {
     let side = after(SIDE, "VNVLZ=36\nG42 G01 Z40\nC90\nZ20\nG40 Z10");
     ends(&side, "alarm name=travel_limit_negative line=6 +NRC-80");
 }
+
+#[test]
+fn the_cylinder_is_developed_over_whole_turns() {
+    // The same corner and the same arc as from C90 on, a turn and a third of one later.
+    let round = "C90\nC180\nC270\nC0\nC30";
+    check(
+        &after(SIDE, &format!("G42 G01 Z40\n{round}\nZ20\nG133 C60 L20\nG01 Z60")),
+        &[
+            "linear c=0 tc=0 tz=35 c_travel=90 line=9 +NRC-30",
+            "linear c=30 tc=24.270422 tz=35 c_travel=24.270422 line=10 +NRC-26",
+            "contour_arc c=60 tc=65.729578 c_travel=41.459156 pu=26.179939 pcu=13.08997 line=12",
+        ],
+    );
+    // 5964 turns and 324.27 degrees: the programmed 30 degrees are within 5965 turns, the 41.46 of the cutter are not.
+    let wind = "QA=1999\nQA=1999\nQA=1966\nC240\n";
+    let program = after(SIDE, &format!("{wind}G42 G01 Z40\nC330\nZ20\nG133 C0 L20\nG01 Z60"));
+    ends(&program, "alarm name=profile_generation line=12 +CGS-06");
+}
+
+/// The machine coordinates and the travel of C of each motion.
+fn motions(program: &str) -> Vec<Vec<String>> {
+    let fields = |event: &String| {
+        let field = |key: &str| {
+            let found = event.split(' ').find_map(|part| part.strip_prefix(key)).unwrap_or("0");
+            found.to_owned()
+        };
+        ["mx=", "mz=", "mc=", "c_travel="].map(field).to_vec()
+    };
+    let events = trace_on(program, &Setup::default());
+    assert!(events.last().is_some_and(|event| event.starts_with("end")), "{}", events.join("\n"));
+    events.iter().filter(|event| event.contains(" mx=")).map(fields).collect()
+}
+
+#[test]
+fn a_cutter_without_radius_follows_the_program() {
+    for (head, rest) in [
+        (
+            FACE,
+            "G42 G01 X100\nC90\nX60\nG101 X80 C200 Z5\nG103 C300 L60\nG00 X100 C10\nM16\nC350 Z7\nG40 G101 X120 C20",
+        ),
+        (
+            SIDE,
+            "G41 G01 Z40\nC90\nG132 C120 Z45 L30\nG133 Z30 L40\nG00 C100 Z20\nM16\nG01 C90\nG133 C60 L70\nG40 G01 Z20",
+        ),
+        (
+            CONVERTED,
+            "G42 G101 X50 Y10 F1000\nY60\nX-50\nG103 X-70 Y-40 L100\nG00 X20 Y-50\nZ5\nX60 M16\nG40 G00 Y0",
+        ),
+    ] {
+        let program = after(head, rest).replace("VNSRX[1]=5 VNSRZ[1]=5", "VNSRX[1]=0 VNSRZ[1]=0");
+        let plain =
+            ["G42 ", "G41 ", "G40 "].iter().fold(program.clone(), |text, code| text.replace(code, ""));
+        assert_eq!(motions(&program), motions(&plain), "{program}");
+    }
+}
