@@ -240,7 +240,11 @@ impl Interpreter<'_> {
         self.check_change_points(words, lap)?;
         match lap {
             Some(code) => self.check_words_of_call(parsed, words, code)?,
-            None => check_functions(words, one_shot, motion, (compensation, converted), self.lap.defines())?,
+            None => {
+                // I and K give an imaginary line in the plane of turning alone.
+                let imaginary = compensation != Change::None && self.cutter_plane(words).is_none();
+                check_functions(words, one_shot, motion, (imaginary, converted), self.lap.defines())?;
+            }
         }
         if bores {
             self.check_bore_compensation(words, left_over)?;
@@ -257,7 +261,7 @@ impl Interpreter<'_> {
                 left_over,
             )?;
         }
-        self.check_compensation(words, one_shot, (motion, compensation), left_over)?;
+        self.check_compensation(words, one_shot, (motion, moves, compensation), left_over)?;
         if words.has_m(100) && words.code_of(GGroup::Compensation).unwrap_or(self.state.compensation) != 40 {
             return Fault::raise(AlarmName::CompensationNotAllowed, M100_04);
         }
@@ -432,7 +436,7 @@ fn check_functions(
     words: &Words,
     one_shot: OneShot,
     motion: u16,
-    (compensation, converted): (Change, bool),
+    (imaginary, converted): (bool, bool),
     in_contour: bool,
 ) -> Result<(), Fault> {
     let takes = match one_shot {
@@ -441,7 +445,7 @@ fn check_functions(
         OneShot::None if converted || contour::is_mode(motion) || motion == contour::NO_CODE => {
             contour::takes(motion, converted)
         }
-        OneShot::None if compensation != Change::None => AXES | IMAGINARY,
+        OneShot::None if imaginary => AXES | IMAGINARY,
         OneShot::None => AXES,
         OneShot::Dwell | OneShot::TorqueOff | OneShot::EndConversion | OneShot::Lap(_) => 0,
         OneShot::BeginConversion => contour::START_TAKES,

@@ -62,6 +62,9 @@ impl Interpreter<'_> {
             if matches!(code, 0 | 1 | 2 | 30) {
                 continue;
             }
+            if code == 109 {
+                self.check_separation()?;
+            }
             let checked = self.state.check_times && code != 124;
             let common = matches!(code, 3 | 4 | 5 | 19 | 40..=44);
             if common && self.common() == Common::Done || code == 100 && !self.is_alone() {

@@ -1,7 +1,7 @@
 //! What a block does in compensation besides its motion: beginning, ending, counting blocks without X/Z
 //! motion (E100L-NRC-14, E100L-NRC-20, E100L-NRC-43, E100L-NRC-44, E100L-NRC-66, E100L-NRC-71).
 
-use turnspec_oracle::vocabulary::rule_ids::CTL_01;
+use turnspec_oracle::vocabulary::rule_ids::{CRC_14, CTL_01};
 use turnspec_oracle::vocabulary::{AlarmName, Label, ReadingSet, Sink};
 
 use crate::engine::Interpreter;
@@ -13,7 +13,7 @@ use crate::engine::motion::{Element, Kind};
 use crate::engine::planted::{self, Bug};
 use crate::engine::words::{Address, Words};
 
-use super::waiting::{Next, Role, Waiting};
+use super::waiting::{Next, Role, Waiting, undefined};
 use super::{Change, Compensation, Phase};
 
 /// How many statements may come behind a motion that waits (E100L-CTL-01).
@@ -32,7 +32,12 @@ impl Interpreter<'_> {
     pub(in crate::engine) fn change_compensation(&mut self, change: Change, words: &Words) {
         self.compensation.phase = match change {
             Change::None => return,
-            Change::Begins => Phase::Starting,
+            Change::Begins => {
+                if self.state.plane != 18 {
+                    self.begin_with_cutter();
+                }
+                Phase::Starting
+            }
             Change::Ends => Phase::Ending,
         };
         self.compensation.imaginary = imaginary(words);
@@ -113,6 +118,9 @@ impl Interpreter<'_> {
         self.compensation.idle_blocks = self.compensation.idle_blocks.more(waits);
         if self.compensation.idle_blocks == IdleBlocks::One && !planted::is(Bug::FirstIdleBlock) {
             return Ok(());
+        }
+        if self.compensation.is_of_cutter() && !planted::is(Bug::CutterWaits) {
+            return Err(undefined(CRC_14, "waiting"));
         }
         self.end_waiting(Next::IdleBlocks, sink)?;
         self.release(sink);

@@ -1,7 +1,7 @@
 //! What is checked of plane and compensation before a block is carried out (execution, check 6).
 
+use turnspec_oracle::vocabulary::AlarmName;
 use turnspec_oracle::vocabulary::rule_ids as rules;
-use turnspec_oracle::vocabulary::{AlarmName, Label};
 
 use crate::engine::Interpreter;
 use crate::engine::block::OneShot;
@@ -41,7 +41,7 @@ impl Interpreter<'_> {
         &self,
         words: &Words,
         one_shot: OneShot,
-        (motion, change): (u16, Change),
+        (motion, moves, change): (u16, bool, Change),
         left_over: bool,
     ) -> Result<(), Fault> {
         let compensation = words.code_of(GGroup::Compensation);
@@ -50,7 +50,8 @@ impl Interpreter<'_> {
         if compensation.is_none() && plane.is_none() && before == 40 && !left_over {
             return Ok(());
         }
-        self.check_plane(plane, compensation, change)?;
+        self.check_plane(plane, change)?;
+        self.check_cutter(words, (one_shot, change), (motion, moves), left_over)?;
         if change != Change::None {
             check_change(words, one_shot, motion, change)?;
         }
@@ -72,13 +73,8 @@ impl Interpreter<'_> {
         }
     }
 
-    /// The plane word, and the plane in which compensation works.
-    fn check_plane(
-        &self,
-        plane: Option<u16>,
-        compensation: Option<u16>,
-        change: Change,
-    ) -> Result<(), Fault> {
+    /// The plane word.
+    fn check_plane(&self, plane: Option<u16>, change: Change) -> Result<(), Fault> {
         if matches!(plane, Some(17 | 119)) && !self.state.c_joined {
             return Fault::raise(AlarmName::CAxisNotJoined, rules::CRC_02);
         }
@@ -86,20 +82,14 @@ impl Interpreter<'_> {
         if plane.is_some() && self.state.compensation != 40 && change != Change::Ends && !same {
             return Fault::raise(AlarmName::PlaneChangeInCompensation, rules::CRC_13);
         }
-        match compensation {
-            Some(code @ (41 | 42)) if plane.unwrap_or(self.state.plane) != 18 => {
-                let detail = Label::of_code(b'G', code);
-                Err(Fault::about(AlarmName::NotModelled, rules::CRC_14, detail))
-            }
-            _ => Ok(()),
-        }
+        Ok(())
     }
 }
 
 /// A block that begins or ends compensation: its motion mode, and its imaginary point.
 fn check_change(words: &Words, one_shot: OneShot, motion: u16, change: Change) -> Result<(), Fault> {
     let begins = change == Change::Begins;
-    if motion >= 2 {
+    if motion >= 2 && motion != 101 {
         let rule = if begins { rules::NRC_19 } else { rules::NRC_72 };
         return Fault::raise(AlarmName::CompensationNotLinear, rule);
     }

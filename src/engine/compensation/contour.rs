@@ -5,6 +5,7 @@
 
 use turnspec_oracle::vocabulary::Sense;
 
+use crate::engine::arithmetic::contour::Spot;
 use crate::engine::arithmetic::nose;
 use crate::engine::arithmetic::plane::{Direction, Point, bounded, difference, tangent};
 use crate::engine::planted::{self, Bug};
@@ -35,6 +36,26 @@ impl Shape {
         let [start, end] = [start, end].map(|point| bounded(difference(point, centre)));
         Self::Arc { start, end, turn }
     }
+}
+
+impl Shape {
+    /// A line between two points of another plane, whose first axis stands for Z and whose second one for X.
+    pub fn line_between(start: Spot, end: Spot) -> Self {
+        Self::Line(bounded(way(start, end)))
+    }
+
+    /// An arc in such a plane about a centre.
+    pub fn arc_between(start: Spot, end: Spot, centre: Spot, sense: Sense) -> Self {
+        let turn = if sense == Sense::CounterClockwise { 1 } else { -1 };
+        let [start, end] = [start, end].map(|point| bounded(way(centre, point)));
+        Self::Arc { start, end, turn }
+    }
+}
+
+/// From one point of a plane of lengths to another, in half nanometres.
+fn way(from: Spot, to: Spot) -> Direction {
+    let component = |from: i64, to: i64| 2 * (i128::from(to) - i128::from(from));
+    (component(from.p, to.p), component(from.q, to.q))
 }
 
 /// The circle of an arc at one of its ends.
@@ -128,6 +149,14 @@ impl Contour {
     /// Whether it is an arc that the nose does not fit into (E100L-NRC-48).
     pub fn is_too_small(&self) -> bool {
         [self.begin(), self.end()].iter().any(|end| matches!(end, End::Arc(circle) if circle.is_too_small()))
+    }
+
+    /// What the nose takes off the radius of an arc, in half nanometres: negative outside; of a line nothing.
+    pub fn inward(&self) -> i128 {
+        match self.shape {
+            Shape::Line(_) => 0,
+            Shape::Arc { turn, .. } => turn * self.offset(),
+        }
     }
 
     fn circle(&self, from_centre: Direction, turn: i128) -> End {

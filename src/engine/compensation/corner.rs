@@ -3,6 +3,7 @@
 //!
 //! Parallel or not, same or opposite, one common point or none: all of it is decided exactly.
 
+use crate::engine::arithmetic::contour::Spot;
 pub use crate::engine::arithmetic::meeting::Meeting;
 use crate::engine::arithmetic::nose::touches_both;
 use crate::engine::arithmetic::plane::{Direction, Point, cross, dot, square};
@@ -124,10 +125,19 @@ impl Corner {
 
     /// The latched nose centre at a programmed point.
     pub fn latch(&self, at: Point, slow: &mut SlowPaths) -> Point {
-        let z = Coordinate { corner: self, along: Along::Z, origin: 2 * i128::from(at.z) };
-        let x = Coordinate { corner: self, along: Along::X, origin: at.x.into() };
+        let z = Coordinate { corner: self, along: Along::Z, origin: 2 * i128::from(at.z), unit: 2 };
+        let x = Coordinate { corner: self, along: Along::X, origin: at.x.into(), unit: 1 };
         let x = round(&x, slow);
         Point { x: if planted::is(Bug::LatchedRadius) { x + x % 2 } else { x }, z: round(&z, slow) }
+    }
+
+    /// The latched cutter centre at a programmed point of another plane, whose first axis stands for Z and whose
+    /// second one for X, lengths both.
+    pub fn latch_in_plane(&self, at: Spot, slow: &mut SlowPaths) -> Spot {
+        let mut coordinate = |along, origin: i64| {
+            round(&Coordinate { corner: self, along, origin: 2 * i128::from(origin), unit: 2 }, slow)
+        };
+        Spot { p: coordinate(Along::Z, at.p), q: coordinate(Along::X, at.q) }
     }
 }
 
@@ -144,21 +154,20 @@ fn parallel(before: &Contour, after: &Contour, same: bool) -> Option<Cites> {
     }
 }
 
-/// A coordinate of a nose centre: Z in nanometres, or the diameter X.
+/// A coordinate of a nose centre: a length, or the diameter X.
 struct Coordinate<'c> {
     corner: &'c Corner,
     along: Along,
     /// The programmed point in half nanometres.
     origin: i128,
+    /// So many half nanometres make one of the coordinate: 2 of a length, 1 of a diameter.
+    unit: i128,
 }
 
 impl Formula for Coordinate<'_> {
     fn value<R: Real>(&self, precision: R::Precision) -> R {
         let whole = R::integer(self.origin, precision).plus(&self.corner.component(self.along, precision));
-        match self.along {
-            Along::Z => whole.over(&R::integer(2, precision)),
-            Along::X => whole,
-        }
+        if self.unit == 1 { whole } else { whole.over(&R::integer(self.unit, precision)) }
     }
 }
 

@@ -36,7 +36,10 @@ impl Interpreter<'_> {
         let mut held = std::mem::take(&mut self.compensation.held);
         for mut event in held.drain(..) {
             let mirror = if planted::is(Bug::HeldNotMirrored) { 1 } else { self.state.mirror };
-            displace(&mut event.action, displacement, mirror);
+            match &self.compensation.cutter {
+                Some(cutter) => cutter.displace(&mut event.action),
+                None => displace(&mut event.action, displacement, mirror),
+            }
             self.emit_at_once(sink, event);
         }
         self.compensation.held = held;

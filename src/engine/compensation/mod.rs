@@ -11,6 +11,7 @@ mod blocks;
 mod check;
 mod contour;
 mod corner;
+mod cutter;
 mod hold;
 mod line_arc;
 mod lines;
@@ -24,6 +25,7 @@ use turnspec_oracle::vocabulary::Event;
 use super::arithmetic::idle::IdleBlocks;
 use super::arithmetic::plane::{Direction, Point};
 use contour::Contour;
+use cutter::Cutter;
 use waiting::Waiting;
 
 /// Where compensation stands.
@@ -66,6 +68,8 @@ pub struct Compensation {
     /// Whether events are held.
     holding: bool,
     held: Vec<Event>,
+    /// In G17 and G119: the cutter that is compensated.
+    cutter: Option<Box<Cutter>>,
 }
 
 impl Default for Compensation {
@@ -82,6 +86,7 @@ impl Default for Compensation {
             extra: None,
             holding: false,
             held: Vec::new(),
+            cutter: None,
         }
     }
 }
@@ -97,6 +102,12 @@ impl Compensation {
     #[inline]
     pub fn holds(&self) -> bool {
         self.holding
+    }
+
+    /// Whether it is that of a cutter, in G17 or G119.
+    #[inline]
+    pub fn is_of_cutter(&self) -> bool {
+        self.cutter.is_some()
     }
 
     /// Whether the displacement of an ended compensation is left over.

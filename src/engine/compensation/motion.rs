@@ -241,7 +241,7 @@ impl Interpreter<'_> {
         Waiting { role, kind, feed, motion, start, end, turn, limits, place, mark, cites, readings, refusal }
     }
 
-    fn begin_to_wait(&mut self, waiting: Waiting) {
+    pub(super) fn begin_to_wait(&mut self, waiting: Waiting) {
         let compensation = &mut self.compensation;
         let counted = planted::is(Bug::RepetitionCounted) && waiting.role == Role::Return;
         compensation.idle_blocks = if counted { IdleBlocks::One } else { IdleBlocks::None };
@@ -269,7 +269,7 @@ impl Interpreter<'_> {
         if self.inch_block { element.readings.union(self.known.inch) } else { element.readings }
     }
 
-    fn contour(&self, shape: Shape) -> Contour {
+    pub(super) fn contour(&self, shape: Shape) -> Contour {
         let (radius, to_centre) = self.nose();
         let flipped = planted::is(Bug::SideOfNoseThree) && self.state.nose == 3;
         let side = if (self.state.compensation == 41) != flipped { 1 } else { -1 };
@@ -278,7 +278,9 @@ impl Interpreter<'_> {
 
     /// The nose radius in force, and the way from the tip to the nose centre (E100L-NRC-04, E100L-NRC-05).
     pub(super) fn nose(&self) -> (i64, Point) {
-        let [x, z] = self.state.nose_radii.get(usize::from(self.state.nose)).copied().unwrap_or_default();
+        let misread = planted::is(Bug::CutterEntryOfOffset) && self.compensation.is_of_cutter();
+        let entry = if misread { self.state.offset } else { self.state.nose };
+        let [x, z] = self.state.nose_radii.get(usize::from(entry)).copied().unwrap_or_default();
         let (radius, to_centre) = nose([if planted::is(Bug::BoringTip) { x.abs() } else { x }, z]);
         (if planted::is(Bug::SmallerRadius) { x.abs().min(z.abs()) } else { radius }, to_centre)
     }

@@ -90,6 +90,9 @@ impl Interpreter<'_> {
             self.release(sink);
         }
         let ended = self.target(&waiting, next).and_then(|(target, cites)| {
+            if let (Target::At(corner), true) = (&target, self.compensation.is_of_cutter()) {
+                return self.conclude_cutter(&waiting, corner, cites, sink);
+            }
             let tip = self.tip(&waiting, &target);
             self.conclude(&waiting, tip, cites, sink)
         });
@@ -225,14 +228,19 @@ pub fn position(point: Point) -> PlanePosition {
 
 /// A compensated position beyond a travel limit (E100L-NRC-80).
 fn check_limits(end: Amounts, limits: &Limits, mirror: i64) -> Result<(), Fault> {
-    for (machine, (negative, positive)) in [mirror * end[X], end[Z]].into_iter().zip(limits) {
-        match limited(machine, *negative, *positive) {
-            Limited::Within => {}
-            Limited::AbovePositive(_) => return Fault::raise(AlarmName::TravelLimitPositive, rules::NRC_80),
-            Limited::BelowNegative => return Fault::raise(AlarmName::TravelLimitNegative, rules::NRC_80),
-        }
+    for (machine, limits) in [mirror * end[X], end[Z]].into_iter().zip(limits) {
+        check_limit(machine, *limits)?;
     }
     Ok(())
+}
+
+/// A compensated machine coordinate beyond a travel limit, negative or positive (E100L-NRC-80).
+pub fn check_limit(machine: i64, (negative, positive): (Option<i64>, Option<i64>)) -> Result<(), Fault> {
+    match limited(machine, negative, positive) {
+        Limited::Within => Ok(()),
+        Limited::AbovePositive(_) => Fault::raise(AlarmName::TravelLimitPositive, rules::NRC_80),
+        Limited::BelowNegative => Fault::raise(AlarmName::TravelLimitNegative, rules::NRC_80),
+    }
 }
 
 /// Why a start-up cannot end.

@@ -130,19 +130,20 @@ impl Interpreter<'_> {
                 Ok(())
             };
         }
-        if self.state.contour.converts() && after && !before && plane == 18 {
+        if self.state.contour.converts() && after && !before && plane != 17 {
             return Err(unspecified(rules::CSC_09, "compensation"));
         }
         let concerned = contour_block || motion == 101 && change != Change::None;
-        // Compensation that was in force acts in G18, whatever plane the block selects behind it.
-        if concerned && (before || after && plane == 18 || left_over) {
+        // Compensation that was in force acts in its plane, whatever plane the block selects behind it.
+        let turning = if before { self.state.plane == 18 } else { after && plane == 18 };
+        if concerned && (turning || left_over) {
             return about_code(if is_face_mode(motion) { rules::CRC_06 } else { rules::CRC_07 }, motion);
         }
         Ok(())
     }
 
     /// The C axis is joined and released.
-    pub(super) fn check_c_axis(&self, joined: RuleId, released: RuleId) -> Result<(), Fault> {
+    pub(in crate::engine) fn check_c_axis(&self, joined: RuleId, released: RuleId) -> Result<(), Fault> {
         if !self.state.c_joined {
             return Fault::raise(AlarmName::CAxisNotJoined, joined);
         }
@@ -153,7 +154,7 @@ impl Interpreter<'_> {
     }
 
     /// No barrier watches the block.
-    pub(super) fn check_no_barrier(&self, rule: RuleId) -> Result<(), Fault> {
+    pub(in crate::engine) fn check_no_barrier(&self, rule: RuleId) -> Result<(), Fault> {
         if self.state.watch.acts() {
             return Err(Fault::about(AlarmName::NotModelled, rule, const { Label::new("barrier") }));
         }

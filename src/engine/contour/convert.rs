@@ -12,11 +12,11 @@ use crate::engine::state::{C, X};
 use crate::engine::words::{Address, Words};
 
 use super::plane::{diameter, direction};
-use super::{POINT, Station};
+use super::{Conversion, POINT, Station};
 
 impl Interpreter<'_> {
     /// The kept point, if the axes stand where it has put them.
-    pub(super) fn held_point(&self) -> Option<Station> {
+    pub(in crate::engine) fn held_point(&self) -> Option<Station> {
         let (kept, shift) = self.state.contour.conversion?.kept?;
         let state = &self.state;
         let now = (state.program(X), state.program(C), state.zero_shift[C]);
@@ -24,7 +24,7 @@ impl Interpreter<'_> {
     }
 
     /// Keeps the point that a block has programmed.
-    pub(super) fn keep_point(&mut self, station: Station) {
+    pub(in crate::engine) fn keep_point(&mut self, station: Station) {
         let shift = self.state.zero_shift[C];
         if let Some(conversion) = &mut self.state.contour.conversion {
             conversion.kept = Some((station, shift));
@@ -33,7 +33,7 @@ impl Interpreter<'_> {
 
     /// The point that a block programs, counted from a point that is needed unless both words are absolute; none
     /// when it is needed and does not hold.
-    pub(super) fn target_point(&self, words: &Words, held: Option<Station>) -> Option<Spot> {
+    pub(in crate::engine) fn target_point(&self, words: &Words, held: Option<Station>) -> Option<Spot> {
         let incremental = self.state.incremental;
         if words.present() & POINT == POINT && !incremental {
             let [p, q] = [Address::X, Address::Y].map(|address| words.get(address).unwrap_or_default());
@@ -46,20 +46,25 @@ impl Interpreter<'_> {
     }
 
     /// A point with the program X and C that it becomes.
-    pub(super) fn converted(&mut self, point: Spot) -> Station {
-        let angle = self.state.contour.conversion.map_or(0, |conversion| conversion.angle);
-        let axis = match self.setup.parameters.conversion_zero_shift {
+    pub(in crate::engine) fn converted(&mut self, point: Spot) -> Station {
+        let axis = self.conversion_axis();
+        Station { point, x: diameter(point), c: direction(point, axis, &mut self.slow) }
+    }
+
+    /// The angle in which the first axis of the coordinates lies: that of conversion mode, or 0 out of it.
+    pub(in crate::engine) fn conversion_axis(&self) -> i64 {
+        let Some(Conversion { angle, .. }) = self.state.contour.conversion else { return 0 };
+        match self.setup.parameters.conversion_zero_shift {
             ConversionZeroShift::Included => angle,
             ConversionZeroShift::Excluded if planted::is(Bug::ShiftTurnsBack) => {
                 angle.saturating_add(self.state.zero_shift[C])
             }
             ConversionZeroShift::Excluded => angle.saturating_sub(self.state.zero_shift[C]),
-        };
-        Station { point, x: diameter(point), c: direction(point, axis, &mut self.slow) }
+        }
     }
 
     /// What a motion in conversion mode cites for its words.
-    pub(super) fn conversion_rules(&self, words: &Words) -> RuleSet {
+    pub(in crate::engine) fn conversion_rules(&self, words: &Words) -> RuleSet {
         let one = words.has(Address::X) != words.has(Address::Y);
         let mut rules = const { RuleSet::of(&[CSC_02, CSC_03]) };
         for (holds, rule) in

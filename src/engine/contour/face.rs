@@ -36,6 +36,21 @@ pub enum Bearing {
     Right,
 }
 
+impl Bearing {
+    /// Of two points of the face, compared exactly.
+    fn of_points(start: Spot, end: Spot) -> Self {
+        if start.is_centre() || end.is_centre() {
+            return Self::Centre;
+        }
+        match cross(start, end) {
+            0 if dot(start, end) > 0 => Self::Same,
+            0 => Self::Opposite,
+            1.. => Self::Left,
+            _ => Self::Right,
+        }
+    }
+}
+
 /// How a face block gets to its target.
 enum Way {
     Lines(Lines),
@@ -53,23 +68,23 @@ pub struct Course {
     pub z: i64,
     pub z_target: Option<i64>,
     /// Whether the points are those of conversion mode.
-    converted: bool,
+    pub converted: bool,
 }
 
 impl Course {
+    /// Between two points of the face, with program Z before and the target of a Z word.
+    pub fn between(start: Station, end: Station, z: i64, z_target: Option<i64>) -> Self {
+        let bearing = Bearing::of_points(start.point, end.point);
+        Self { start, end, bearing, z, z_target, converted: true }
+    }
+
     fn bearing(start: Station, end: Station, converted: bool) -> Bearing {
         const HALF: i64 = turn::TURN / 2;
         if start.x == 0 || end.x == 0 {
             return Bearing::Centre;
         }
         if converted {
-            let (across, along) = (cross(start.point, end.point), dot(start.point, end.point));
-            return match across {
-                0 if along > 0 => Bearing::Same,
-                0 => Bearing::Opposite,
-                1.. => Bearing::Left,
-                _ => Bearing::Right,
-            };
+            return Bearing::of_points(start.point, end.point);
         }
         match turn::within(end.c - start.c) {
             0 => Bearing::Same,
@@ -94,7 +109,7 @@ impl Course {
     }
 
     /// The travel of C along an arc (E100L-CGF-06).
-    fn arc_turn(&self, centre: Spot, radius: i64, sense: Sense) -> Result<i64, Fault> {
+    pub fn arc_turn(&self, centre: Spot, radius: i64, sense: Sense) -> Result<i64, Fault> {
         let positive = sense == Sense::CounterClockwise;
         let left = match self.bearing {
             Bearing::Centre | Bearing::Same => return Ok(0),
@@ -124,10 +139,7 @@ impl Interpreter<'_> {
         self.check_c_axis(CGF_07, CGF_07)?;
         let course = self.course(words)?;
         let arc = motion != 101;
-        let least = i64::from(arc);
-        if course.start.x < least || course.end.x < least {
-            return Fault::raise(AlarmName::ContourXNotPositive, CGF_08);
-        }
+        check_diameters(&course, arc)?;
         let way = if arc { self.face_arc(&course, words, motion)? } else { Way::Lines(Lines::of(&course)?) };
         self.check_coordinate(course.end.x)?;
         course.z_target.map_or(Ok(()), |z| self.check_coordinate(z))?;
@@ -167,7 +179,7 @@ impl Interpreter<'_> {
     }
 
     /// Start and target of a face block.
-    fn course(&mut self, words: &Words) -> Result<Course, Fault> {
+    pub(in crate::engine) fn course(&mut self, words: &Words) -> Result<Course, Fault> {
         let incremental = self.state.incremental;
         let converted = self.state.contour.converts();
         let z = self.state.program(Z);
@@ -194,16 +206,28 @@ impl Interpreter<'_> {
     fn face_arc(&mut self, course: &Course, words: &Words, motion: u16) -> Result<Way, Fault> {
         let sense = sense(motion);
         let radius = words.get(Address::L).unwrap_or_default();
-        let arc = Arc {
-            start: course.start.point,
-            end: course.end.point,
-            chord: course.chord(),
-            radius,
-            sense,
-            rule: CGF_04,
-        };
-        let centre = arc.centre(&mut self.slow)?;
+        let centre = self.face_centre(course, radius, sense)?;
         let travel = course.arc_turn(centre, radius, sense)?;
         Ok(Way::Arc(travel, Shape::Arc(sense, ContourPlane::FaceCentre(face_point(centre)))))
     }
+
+    /// The centre of an arc with a radius, latched.
+    pub(in crate::engine) fn face_centre(
+        &mut self,
+        course: &Course,
+        radius: i64,
+        sense: Sense,
+    ) -> Result<Spot, Fault> {
+        let (start, end, chord) = (course.start.point, course.end.point, course.chord());
+        Arc { start, end, chord, radius, sense, rule: CGF_04 }.centre(&mut self.slow)
+    }
+}
+
+/// The diameters of a face block are not negative, of an arc positive.
+pub fn check_diameters(course: &Course, arc: bool) -> Result<(), Fault> {
+    let least = i64::from(arc);
+    if course.start.x < least || course.end.x < least {
+        return Fault::raise(AlarmName::ContourXNotPositive, CGF_08);
+    }
+    Ok(())
 }

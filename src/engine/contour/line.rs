@@ -92,6 +92,11 @@ impl Course {
         if travel == 0 || self.bearing == Bearing::Centre {
             return radial_length(self.start.x, self.end.x, z.saturating_sub(self.z));
         }
+        self.length_of_points(z)
+    }
+
+    /// The distance of the two points, with the travel to a program Z, latched.
+    pub fn length_of_points(&self, z: i64) -> i64 {
         let in_plane = square(way(self.start.point, self.end.point)).unsigned_abs();
         root_over(in_plane + feed::square(self.z, z), 1)
     }

@@ -13,6 +13,12 @@ mod plane;
 mod position;
 mod side;
 
+pub use face::{Course, check_diameters};
+pub use line::Lines;
+pub use motion::{Shape, face_point, word_cites};
+pub use plane::{diameter, direction};
+pub use side::Surface;
+
 use turnspec_oracle::vocabulary::{AlarmName, Label, RuleId, Sense, Sink};
 
 use super::Interpreter;
@@ -24,7 +30,7 @@ use super::words::{Address, Words};
 pub const NO_CODE: u16 = u16::MAX;
 
 /// Whether a motion mode is that of contours on the face.
-fn is_face_mode(motion: u16) -> bool {
+pub fn is_face_mode(motion: u16) -> bool {
     matches!(motion, 101..=103)
 }
 
@@ -35,7 +41,7 @@ pub fn is_mode(motion: u16) -> bool {
 }
 
 /// The sense of an arc in its plane: that of its code.
-fn sense(motion: u16) -> Sense {
+pub fn sense(motion: u16) -> Sense {
     if matches!(motion, 103 | 133) { Sense::CounterClockwise } else { Sense::Clockwise }
 }
 
@@ -67,10 +73,10 @@ pub fn takes(motion: u16, converted: bool) -> u64 {
 
 /// A point of the face, and the program X and C there.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-struct Station {
-    point: Spot,
-    x: i64,
-    c: i64,
+pub struct Station {
+    pub point: Spot,
+    pub x: i64,
+    pub c: i64,
 }
 
 /// Coordinate conversion in force.
@@ -130,7 +136,7 @@ impl Interpreter<'_> {
 }
 
 #[cold]
-fn unspecified(rule: RuleId, what: &str) -> Fault {
+pub fn unspecified(rule: RuleId, what: &str) -> Fault {
     Fault::about(AlarmName::Unspecified, rule, Label::new(what))
 }
 

@@ -90,7 +90,7 @@ impl Interpreter<'_> {
     }
 
     /// A motion to where the machine is now.
-    pub(super) fn motion_to_here(
+    pub(in crate::engine) fn motion_to_here(
         &mut self,
         cuts: bool,
         cites: &mut Cites,

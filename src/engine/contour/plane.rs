@@ -60,7 +60,7 @@ pub fn direction(point: Spot, axis: i64, slow: &mut SlowPaths) -> i64 {
 impl Interpreter<'_> {
     /// The latched point of the face of a program position. The one computed last is remembered: a contour goes on
     /// where it was.
-    pub(super) fn point_of(&mut self, diameter: i64, angle: i64) -> Spot {
+    pub(in crate::engine) fn point_of(&mut self, diameter: i64, angle: i64) -> Spot {
         match self.state.contour.last {
             Some((last_diameter, last_angle, point)) if (last_diameter, last_angle) == (diameter, angle) => {
                 point

@@ -1,7 +1,9 @@
 //! A block with G132 or G133 (execution of contours, 4 and 6; E100L-CGS-01 to E100L-CGS-07).
 
 use turnspec_oracle::vocabulary::rule_ids::*;
-use turnspec_oracle::vocabulary::{AlarmName, ContourPlane, Length, RuleSet, SideArc, SidePlane, Sink};
+use turnspec_oracle::vocabulary::{
+    AlarmName, ContourPlane, Length, RuleSet, Sense, SideArc, SidePlane, Sink,
+};
 
 use crate::engine::Interpreter;
 use crate::engine::arithmetic::contour::Spot;
@@ -23,9 +25,9 @@ use super::sense;
 const MOST_WOUND: i128 = 5965 * 360_000_000;
 
 /// π X C / 360 degrees: the length of a turn on the cylinder of a diameter.
-struct Surface {
-    diameter: i64,
-    turn: i64,
+pub struct Surface {
+    pub diameter: i64,
+    pub turn: i64,
 }
 
 impl Formula for Surface {
@@ -58,12 +60,20 @@ impl Interpreter<'_> {
         let end_z = target(Address::Z, z);
         let travel = turn::travel(c, end_c, 0, self.state.c_negative);
         let shape = self.side_arc(words, motion, (x, travel), (z, end_z.unwrap_or(z)))?;
-        if (self.state.contour.wound + i128::from(travel)).abs() > MOST_WOUND {
-            return Fault::raise(AlarmName::ProfileGeneration, CGS_06);
-        }
+        self.check_wound(travel)?;
         end_z.map_or(Ok(()), |z| self.check_coordinate(z))?;
         let feed = self.feed()?;
         self.check_no_barrier(CGS_01)?;
+        let rules = self.side_rules(words);
+        let cites = word_cites(&self.state, self.inch_block, words.has(Address::X))
+            .and(self.feed_cites())
+            .and_if(words.has(Address::C), cite::CAX_05);
+        let leg = Leg { shape, face: None, z: end_z, c: end_c, travel, feed, part: None, rules };
+        self.follow_contour(&leg, cites, sink)
+    }
+
+    /// The rules of a side block.
+    pub(in crate::engine) fn side_rules(&self, words: &Words) -> RuleSet {
         let mut rules = const { RuleSet::of(&[CGS_01, CGS_02, CGS_04]) };
         for (holds, rule) in
             [(words.has(Address::C), CGS_05), (self.setup.parameters.side_contour_mode, CGS_07)]
@@ -72,11 +82,15 @@ impl Interpreter<'_> {
                 rules = rules.with(rule);
             }
         }
-        let cites = word_cites(&self.state, self.inch_block, words.has(Address::X))
-            .and(self.feed_cites())
-            .and_if(words.has(Address::C), cite::CAX_05);
-        let leg = Leg { shape, face: None, z: end_z, c: end_c, travel, feed, part: None, rules };
-        self.follow_contour(&leg, cites, sink)
+        rules
+    }
+
+    /// C is not wound too far by a travel.
+    pub(in crate::engine) fn check_wound(&self, travel: i64) -> Result<(), Fault> {
+        if (self.state.contour.wound + i128::from(travel)).abs() > MOST_WOUND {
+            return Fault::raise(AlarmName::ProfileGeneration, CGS_06);
+        }
+        Ok(())
     }
 
     /// The arc on the cylinder of a diameter, by a travel of C, between two places along Z.
@@ -89,21 +103,32 @@ impl Interpreter<'_> {
     ) -> Result<Shape, Fault> {
         let sense = sense(motion);
         let around = round(&Surface { diameter, turn: travel }, &mut self.slow);
-        let inner =
-            self.setup.parameters.side_plane == SidePlane::Inner && !planted::is(Bug::InnerPlaneIgnored);
+        let inner = self.is_seen_from_inside();
         // Seen from inside the developed surface is mirrored.
         let seen = |around: i64| if inner { around.saturating_neg() } else { around };
-        let arc = Arc {
-            start: Spot { p: 0, q: from },
-            end: Spot { p: seen(around), q: to },
-            chord: Chord::on_side(diameter, travel, to.saturating_sub(from)),
-            radius: words.get(Address::L).unwrap_or_default(),
-            sense,
-            rule: CGS_04,
-        };
-        let centre = arc.centre(&mut self.slow)?;
+        let ends = (Spot { p: 0, q: from }, Spot { p: seen(around), q: to });
+        let radius = words.get(Address::L).unwrap_or_default();
+        let centre = self.side_centre(ends, (diameter, travel), radius, sense)?;
         let side =
             SideArc { travel: Length(around), centre: Length(seen(centre.p)), centre_z: Length(centre.q) };
         Ok(Shape::Arc(sense, ContourPlane::SideArc(side)))
+    }
+
+    /// Whether the developed surface is seen from inside (E100L-CGS-02).
+    pub(in crate::engine) fn is_seen_from_inside(&self) -> bool {
+        self.setup.parameters.side_plane == SidePlane::Inner && !planted::is(Bug::InnerPlaneIgnored)
+    }
+
+    /// The centre of an arc between two points of the side plane with a radius, latched; they are a travel of C on the
+    /// cylinder of a diameter apart.
+    pub(in crate::engine) fn side_centre(
+        &mut self,
+        (start, end): (Spot, Spot),
+        (diameter, travel): (i64, i64),
+        radius: i64,
+        sense: Sense,
+    ) -> Result<Spot, Fault> {
+        let chord = Chord::on_side(diameter, travel, end.q.saturating_sub(start.q));
+        Arc { start, end, chord, radius, sense, rule: CGS_04 }.centre(&mut self.slow)
     }
 }
