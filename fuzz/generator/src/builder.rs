@@ -116,7 +116,7 @@ const BESIDE_THREADS: usize = 8;
 const THREADS: usize = 70;
 
 /// How often a run of cutter radius compensation comes in programs that are to have it, and how often contours without it do there.
-const CUTTERS: usize = 50;
+const CUTTERS: usize = 60;
 const BESIDE_CUTTERS: usize = 8;
 
 /// How often a block cuts grooves or holes in programs that are to have them.
