@@ -36,8 +36,8 @@ const BLOCKS: &[(usize, Between)] = &[
     (10, Between::Dimension),
     (30, Between::Aside),
     (8, Between::Tool),
-    (8, Between::Jump),
-    (8, Between::Assignment),
+    (4, Between::Jump),
+    (12, Between::Assignment),
     (6, Between::Remark),
 ];
 
