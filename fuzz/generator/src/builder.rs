@@ -5,6 +5,7 @@ use turnspec_oracle::vocabulary::{Feature, MachineType};
 use crate::choices::Choices;
 use crate::contour;
 use crate::control;
+use crate::cutter;
 use crate::cycles;
 use crate::faults::{self, Fault};
 use crate::io;
@@ -35,6 +36,8 @@ pub(crate) struct Builder<'b, 'c, 'd> {
     pub(crate) control: usize,
     /// Whether the program is to have contours.
     pub(crate) contours: bool,
+    /// Whether the program is to have cutter radius compensation.
+    pub(crate) cutters: bool,
     /// Whether the program is to have threads.
     pub(crate) threads: bool,
     /// Whether the program is to have cycles of grooving, drilling and tapping.
@@ -83,6 +86,7 @@ pub(crate) enum Kind {
     Thread,
     Cycle,
     Lap,
+    Cutter,
 }
 
 const KINDS: &[(usize, Kind)] = &[
@@ -110,6 +114,10 @@ const CONTOURS: usize = 60;
 /// The same in programs that are to have threads, and how often a block cuts one there.
 const BESIDE_THREADS: usize = 8;
 const THREADS: usize = 70;
+
+/// How often a run of cutter radius compensation comes in programs that are to have it, and how often contours without it do there.
+const CUTTERS: usize = 60;
+const BESIDE_CUTTERS: usize = 8;
 
 /// How often a block cuts grooves or holes in programs that are to have them.
 const CYCLES: usize = 60;
@@ -155,6 +163,7 @@ impl Kind {
             Self::Thread => threads::is_within(profile),
             Self::Cycle => cycles::is_within(profile),
             Self::Lap => lap::is_within(profile),
+            Self::Cutter => cutter::is_within(profile),
         }
     }
 }
@@ -168,19 +177,23 @@ impl<'b, 'c, 'd> Builder<'b, 'c, 'd> {
         let expressions = choices.pick(&[0, 3, 10, 40]);
         let expressions = if profile.allows(Feature::Expression) { expressions } else { 0 };
         let (many, few) = START_UPS;
-        let (start_ups, threads, contours, cycles, laps) = match choices.below(100) {
-            60.. => (many, 0, 0, 0, 0),
-            47..60 if threads::is_within(&profile) => (BESIDE_THREADS, THREADS, 0, 0, 0),
-            40..47 if contour::is_within(&profile) => (few, 0, CONTOURS, 0, 0),
-            31..40 if cycles::is_within(&profile) => (BESIDE_THREADS, 0, 0, CYCLES, 0),
-            21..31 if lap::is_within(&profile) => (few, 0, 0, 0, LAPS),
-            _ => (few, 0, 0, 0, 0),
+        let (start_ups, threads, contours, cycles, laps, cutters) = match choices.below(100) {
+            60.. => (many, 0, 0, 0, 0, 0),
+            47..60 if threads::is_within(&profile) => (BESIDE_THREADS, THREADS, 0, 0, 0, 0),
+            40..47 if contour::is_within(&profile) => (few, 0, CONTOURS, 0, 0, 0),
+            31..40 if cycles::is_within(&profile) => (BESIDE_THREADS, 0, 0, CYCLES, 0, 0),
+            21..31 if lap::is_within(&profile) => (few, 0, 0, 0, LAPS, 0),
+            12..21 if cutter::is_within(&profile) => (few, 0, BESIDE_CUTTERS, 0, 0, CUTTERS),
+            _ => (few, 0, 0, 0, 0, 0),
         };
         if threads > 0 {
             threads::set_up(&mut state.setup, choices, &profile);
         }
         if contours > 0 {
             contour::set_up(&mut state.setup, choices);
+        }
+        if cutters > 0 {
+            cutter::set_up(&mut state, choices);
         }
         if cycles > 0 {
             cycles::set_up(&mut state.setup, choices, &profile);
@@ -200,6 +213,7 @@ impl<'b, 'c, 'd> Builder<'b, 'c, 'd> {
             (threads, Kind::Thread),
             (cycles, Kind::Cycle),
             (laps, Kind::Lap),
+            (cutters, Kind::Cutter),
         ];
         let kinds = KINDS.iter().copied().chain(special);
         let kinds = kinds.filter(|(_, kind)| kind.is_within(&profile)).collect();
@@ -215,6 +229,7 @@ impl<'b, 'c, 'd> Builder<'b, 'c, 'd> {
             whole: profile,
             control,
             contours: contours > 0,
+            cutters: cutters > 0,
             threads: threads > 0,
             cycles: cycles > 0,
             lap: laps > 0,
@@ -514,6 +529,7 @@ impl<'b, 'c, 'd> Builder<'b, 'c, 'd> {
             Kind::Thread => self.thread(),
             Kind::Cycle => self.cycle(),
             Kind::Lap => self.lap(),
+            Kind::Cutter => self.cutter(),
         }
     }
 

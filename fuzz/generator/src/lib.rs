@@ -23,6 +23,7 @@ mod companions;
 mod compensation;
 mod contour;
 mod control;
+mod cutter;
 mod cycles;
 mod environment;
 mod estimate;

@@ -12,6 +12,7 @@ use crate::choices::Choices;
 use crate::compensation::Compensation;
 use crate::contour::Contours;
 use crate::control::Control;
+use crate::cutter::Cutter;
 use crate::cycles::Cycles;
 use crate::environment::Environment;
 use crate::io::Io;
@@ -146,6 +147,8 @@ pub struct State {
     pub turrets: Turrets,
     /// Contours and coordinate conversion.
     pub contours: Contours,
+    /// Cutter radius compensation.
+    pub cutter: Cutter,
     /// Definitions of LAP.
     pub lap: Lap,
     /// What expressions of the present block read.
@@ -194,6 +197,7 @@ impl State {
             schedule: Schedule::default(),
             turrets: Turrets::new(&setup),
             contours: Contours::default(),
+            cutter: Cutter::default(),
             lap: Lap::default(),
             environment: Environment::new(units, setup.options.offset_sets, setup.options.user_task == 2),
             setup,

@@ -57,6 +57,8 @@ pub(crate) fn follow(events: &[Event]) -> Verdict {
             // Another frame, another plane.
             Action::Frame { .. } => None,
             Action::Mode { code, .. } if matches!(code.as_str(), "G136" | "G137" | "G13" | "G14") => None,
+            // A cutter leaves the axes elsewhere than the programmed point.
+            _ if motion(event).is_some_and(|motion| motion.tip_c.is_some()) => None,
             _ => motion(event).filter(|motion| motion.program.c.is_some()).or(before),
         };
     }

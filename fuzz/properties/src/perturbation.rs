@@ -68,9 +68,8 @@ const STEADY: &[RuleId] = &[NRC_15, NRC_26, NRC_30, NRC_44, NRC_45, NRC_66, NRC_
 ///    same line), as an element of a corner that has no length in one of them, as a chamfer of a thread that reaches the level of
 ///    the cycle start in one of them only, as a line on the face that meets the centre or lies on one ray with it in one of them,
 ///    as another number of pecks, passes or grooves in a block of a cycle (the property `cycles` says where that changes), as
-///    a call of LAP, of which the property `lap` tells, or as
-///    a zero shift that is
-///    zero in one of them at the reset.
+///    a call of LAP, of which the property `lap` tells, as the
+///    beginning of cutter radius compensation, or as a zero shift that is zero in one of them at the reset.
 /// 2. **Distance.** Up to that place, and up to the first end point that is computed from an angle, from a
 ///    circle and one coordinate, at a corner of any angle, or from a point in conversion mode, every machine coordinate of the axis of that
 ///    word moves by at least nothing and at most the increment, in the same direction throughout; the other
@@ -97,10 +96,13 @@ pub(crate) fn a_small_change_moves_little(input: &[u8]) -> Verdict {
 }
 
 fn moves_little(pair: &Nudged) -> Verdict {
-    // What a call of LAP makes of a coordinate the property `lap` says.
-    let up_to_lap =
-        |case| -> Vec<Event> { trace(case).into_iter().take_while(|event| !is_of_lap(event)).collect() };
-    let (before, after) = (up_to_lap(&pair.before), up_to_lap(&pair.after));
+    // What a call of LAP makes of a coordinate the property `lap` says; behind a cutter each axis moves with all others.
+    let so_far = |case| -> Vec<Event> {
+        let mut events = trace(case);
+        events.truncate(cutter_begins(&events));
+        events.into_iter().take_while(|event| !is_of_lap(event)).collect()
+    };
+    let (before, after) = (so_far(&pair.before), so_far(&pair.after));
     let same = same_shape(&before, &after);
     let fail = |message: String| format!("{message}\n{}\n{}", show(&pair.before), show(&pair.after));
     let count = same.map_err(fail)?;
@@ -113,6 +115,29 @@ fn moves_little(pair: &Nudged) -> Verdict {
         moved.and_then(|()| tips(&before, &after, increment(&pair.before.setup))).map_err(fail)?;
     }
     Ok(())
+}
+
+/// How many events come before compensation begins in G17 or G119, whose code may stand before that of the plane.
+fn cutter_begins(events: &[Event]) -> usize {
+    let plane = |event: &Event| match event.action {
+        Action::Mode { code, .. } => match code.as_str() {
+            "G18" => Some(false),
+            "G17" | "G119" => Some(true),
+            _ => None,
+        },
+        _ => None,
+    };
+    let mut rotary = false;
+    for (index, event) in events.iter().enumerate() {
+        rotary = plane(event).unwrap_or(rotary);
+        let begins =
+            matches!(event.action, Action::Mode { code, .. } if matches!(code.as_str(), "G41" | "G42"));
+        let same_block = |next: &&Event| next.block == event.block;
+        if begins && events.iter().skip(index).take_while(same_block).find_map(plane).unwrap_or(rotary) {
+            return index;
+        }
+    }
+    events.len()
 }
 
 /// Whether an expression reads the present position, or the zero shift that depends on it.

@@ -5,7 +5,7 @@
 //! would not exist, or whose tip would lie beyond a limit, is taken back and another one is written.
 
 mod contour;
-mod corner;
+pub(crate) mod corner;
 mod entry;
 mod nose;
 

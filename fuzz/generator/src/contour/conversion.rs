@@ -35,7 +35,7 @@ impl Builder<'_, '_, '_> {
     }
 
     /// G136, alone in its block.
-    pub(super) fn end_conversion(&mut self) {
+    pub(crate) fn end_conversion(&mut self) {
         self.begin();
         let contours = &mut self.state.contours;
         (contours.direction, contours.given, contours.kept) = (None, false, None);
@@ -44,7 +44,7 @@ impl Builder<'_, '_, '_> {
     }
 
     /// G137; false where the control would refuse it.
-    fn begin_conversion(&mut self) -> bool {
+    pub(crate) fn begin_conversion(&mut self) -> bool {
         if self.state.incremental && !self.allows(Feature::Absolute) {
             return false;
         }
@@ -112,7 +112,7 @@ impl Builder<'_, '_, '_> {
     }
 
     /// A position by both X and Y.
-    fn first_point(&mut self) {
+    pub(crate) fn first_point(&mut self) {
         if self.state.incremental {
             let item = self.incremental_word(false);
             self.push(vec![item]);
@@ -176,7 +176,7 @@ impl Builder<'_, '_, '_> {
     }
 
     /// X and Y words toward a point, those that are chosen, counted from `kept` in G91; the point that they lead to.
-    pub(super) fn point_words(
+    pub(crate) fn point_words(
         &mut self,
         wanted: [i64; 2],
         kept: [i64; 2],
@@ -195,7 +195,7 @@ impl Builder<'_, '_, '_> {
     }
 
     /// What a point becomes: program X and C (E100L-CSC-03, E100L-CSC-04).
-    pub(super) fn axes_of_point(&self, point: [i64; 2]) -> (i64, i64) {
+    pub(crate) fn axes_of_point(&self, point: [i64; 2]) -> (i64, i64) {
         let spot = Spot::of(point);
         let shift = match self.state.setup.parameters.conversion_zero_shift {
             ConversionZeroShift::Included => 0,
@@ -207,7 +207,7 @@ impl Builder<'_, '_, '_> {
     }
 
     /// Moves the axes to a point and keeps it.
-    pub(super) fn move_to_point(&mut self, point: [i64; 2]) {
+    pub(crate) fn move_to_point(&mut self, point: [i64; 2]) {
         let from = self.present();
         let (x, c) = self.axes_of_point(point);
         self.state.move_to(Axis::X, x);

@@ -51,11 +51,16 @@ impl Contours {
             self.backward = code == 16;
         }
     }
+
+    /// Whether C turns in the negative direction.
+    pub(crate) fn is_backward(&self) -> bool {
+        self.backward
+    }
 }
 
 impl State {
     /// The point of conversion mode that was programmed last, if the axes stand there (E100L-CSC-06).
-    fn kept_point(&self) -> Option<[i64; 2]> {
+    pub(crate) fn kept_point(&self) -> Option<[i64; 2]> {
         let near = |a: i64, b: i64| (a - b).abs() < 100;
         let kept = self.contours.kept?;
         let holds = near(kept.x, self.program(Axis::X)) && near(kept.c, self.program_c());
@@ -63,7 +68,7 @@ impl State {
     }
 
     /// Moves C to a program coordinate, in micro-degrees.
-    fn turn_to(&mut self, c: i64) {
+    pub(crate) fn turn_to(&mut self, c: i64) {
         self.c = (c + self.c_offset + self.c_shift).rem_euclid(360_000_000);
     }
 }
@@ -138,7 +143,7 @@ impl Builder<'_, '_, '_> {
     }
 
     /// Draws a block again until it can stand, and adds it; false when none can.
-    fn attempted(&mut self, write: impl Fn(&mut Self) -> bool) -> bool {
+    pub(crate) fn attempted(&mut self, write: impl Fn(&mut Self) -> bool) -> bool {
         for _ in 0..ATTEMPTS {
             let (state, lines) = (self.state.clone(), self.lines.len());
             self.begin();
@@ -152,7 +157,7 @@ impl Builder<'_, '_, '_> {
     }
 
     /// A C word for a program coordinate, in micro-degrees, and the angle that is reached.
-    fn c_word(&mut self, wanted: i64) -> (Item, i64) {
+    pub(crate) fn c_word(&mut self, wanted: i64) -> (Item, i64) {
         let present = self.state.program_c();
         let base = if self.state.incremental { present } else { 0 };
         let mut travel = wanted - base;

@@ -10,7 +10,7 @@ use crate::state::{Axis, Mode};
 
 impl Builder<'_, '_, '_> {
     /// Ends what would forbid a contour and begins what it needs, a block at a time; false where that cannot be.
-    pub(super) fn ready_for_contours(&mut self) -> bool {
+    pub(crate) fn ready_for_contours(&mut self) -> bool {
         let state = &self.state;
         if state.control.steady || state.compensation.is_on() || !self.permits_kind(Kind::CAxis) {
             return false;
@@ -78,7 +78,7 @@ impl Builder<'_, '_, '_> {
     }
 
     /// Adds an F word where none was given yet, and sometimes otherwise; the contour is cut.
-    pub(super) fn cut_contour(&mut self, mut items: Vec<Item>) {
+    pub(crate) fn cut_contour(&mut self, mut items: Vec<Item>) {
         if !has(&items, "F") && self.choices.chance(15) {
             items.push(self.feed_word());
         }
@@ -87,7 +87,7 @@ impl Builder<'_, '_, '_> {
     }
 
     /// A positioning to a positive X, with Z and C.
-    pub(super) fn position_for_contour(&mut self) {
+    pub(crate) fn position_for_contour(&mut self) {
         self.begin();
         let mut items = Vec::new();
         let mode = if self.choices.chance(85) { Mode::Rapid } else { Mode::Linear };

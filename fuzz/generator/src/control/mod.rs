@@ -101,7 +101,9 @@ impl Control {
             Kind::StartUp => {
                 !self.steady && self.modes.len() < 2 && self.modes.iter().all(|mode| mode.called.is_short())
             }
-            Kind::Shift | Kind::Torque | Kind::CAxis | Kind::Contour | Kind::Lap => !self.steady,
+            Kind::Shift | Kind::Torque | Kind::CAxis | Kind::Contour | Kind::Lap | Kind::Cutter => {
+                !self.steady
+            }
             _ => true,
         }
     }

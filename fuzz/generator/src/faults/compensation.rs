@@ -51,15 +51,6 @@ impl Builder<'_, '_, '_> {
             Fault::CAxisNotJoined if !joined && self.choices.chance(40) => {
                 self.one_of(&["G17", "G119", "G17 G42 X5", "G40 G17"])
             }
-            Fault::NotModelled if self.choices.chance(40) => {
-                if on {
-                    self.blocks(&["G40 G00"]);
-                }
-                if !joined {
-                    self.blocks(&["M110"]);
-                }
-                self.one_of(&["G17 G41 X5", "G119 G42", "G17\nG42 G00 Z1"])
-            }
             Fault::Unspecified if self.choices.chance(55) => self.not_described(),
             _ => false,
         }

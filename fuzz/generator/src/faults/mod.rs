@@ -7,6 +7,8 @@ mod compensation;
 mod contour;
 mod contour_texts;
 mod control;
+mod cutter;
+mod cutter_texts;
 mod cycle_texts;
 mod cycles;
 mod io;
@@ -64,7 +66,7 @@ pub(crate) fn choose(choices: &mut Choices<'_, '_>, setup: &Setup) -> Fault {
     }
 }
 
-/// Alarms of families that name their own faults: threads, cycles, LAP, contours.
+/// Alarms of families that name their own faults: threads, cycles, LAP, contours, cutters.
 #[rustfmt::skip]
 const OF_FAMILIES: &[Fault] = &[
     Fault::ThreadInConstantSpeed, Fault::ThreadLeadRange, Fault::ThreadData, Fault::CycleIncremental, Fault::CycleWord,
@@ -136,7 +138,8 @@ impl Builder<'_, '_, '_> {
     /// Adds the blocks of a fault.
     pub(crate) fn fault(&mut self, fault: Fault) -> bool {
         self.begin();
-        self.lap_fault(fault)
+        self.cutter_fault(fault)
+            || self.lap_fault(fault)
             || self.contour_fault(fault)
             || self.thread_fault(fault)
             || self.cycle_fault(fault)

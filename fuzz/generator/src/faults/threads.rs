@@ -17,7 +17,8 @@ impl Builder<'_, '_, '_> {
         if self.threads && self.choices.chance(75) {
             return self.choices.weighted(texts::FAULTS);
         }
-        let own = self.some_lap_fault().or_else(|| self.some_contour_fault());
+        let own = self.some_cutter_fault().or_else(|| self.some_lap_fault());
+        let own = own.or_else(|| self.some_contour_fault());
         own.unwrap_or_else(|| self.cycle_fault_or_other())
     }
 

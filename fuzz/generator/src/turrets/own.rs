@@ -65,7 +65,7 @@ impl Turrets {
             Kind::Turret => self.machine == MachineType::TwoTurrets && !steady,
             // Calls are refused on two saddles (E100L-AX4-12).
             Kind::Lap => self.machine != MachineType::TwoSaddles,
-            Kind::CAxis | Kind::Contour => match self.machine {
+            Kind::CAxis | Kind::Contour | Kind::Cutter => match self.machine {
                 MachineType::OneTurret => true,
                 MachineType::TwoTurrets => self.selected == Side::A,
                 MachineType::TwoSaddles => false,
