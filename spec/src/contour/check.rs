@@ -122,7 +122,8 @@ pub fn check_plane(plan: &Plan, before: Before, setup: &Setup) -> Outcome<()> {
     let concerned = plan.is_contour() || plan.motion() == 101 && plan.compensation != Change::Stays;
     // Compensation that was in force acts in the plane of before, whatever plane the block selects behind it.
     let was_turning = was && before.modes.get(GGroup::Plane) == 18;
-    if concerned && (was_turning || is && plane == 18 || before.left_over) {
+    let begins_turning = plan.compensation == Change::Begins && plane == 18;
+    if concerned && (was_turning || begins_turning || before.left_over) {
         let code = plan.motion();
         let rule: RuleId = if is_on_side(code) { CRC_07 } else { CRC_06 };
         return Err(unspecified(rule, code));

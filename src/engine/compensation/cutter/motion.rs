@@ -106,9 +106,9 @@ impl Interpreter<'_> {
                     cites = cites.and(cite::LIM_01);
                 }
             }
-            self.state.machine = if programmed.motion == 101 { target } else { end };
+            self.state.machine = end;
             let mut motion = Motion {
-                face: face.then(|| face_point(to.point)),
+                face: face.then(|| face_point(leg.place.point)),
                 ..self.motion_to_here(feed.is_some(), &mut cites, &mut readings)
             };
             self.show_axes(&mut motion, leg, &mut end);
