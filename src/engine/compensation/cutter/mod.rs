@@ -194,4 +194,6 @@ impl Interpreter<'_> {
 }
 
 #[cfg(test)]
+mod chance;
+#[cfg(test)]
 mod tests;
