@@ -208,14 +208,21 @@ impl Builder<'_, '_, '_> {
         self.select(mode, &mut items);
         let from = self.cutter_point();
         let sense = if counter { 1.0 } else { -1.0 };
-        let start = self.start_of_arc();
-        let radius = self.cutter_arc_radius();
-        let sweep = match self.choices.below(10) {
+        let (mut start, mut radius) = (self.start_of_arc(), self.cutter_arc_radius());
+        let mut sweep = match self.choices.below(10) {
             0..=3 => 90.0,
             4 => 180.0,
             5 | 6 => self.choices.pick(&[45.0, 60.0, 120.0, 30.0]),
             _ => self.choices.within(20, 170) as f64,
         };
+        if !side && from.length() > 1e6 && self.choices.chance(14) {
+            // Round the centre of the face, by more than half a turn or less.
+            let aside = self.choices.within(-30, 30) as f64;
+            start = turn(from.times(1.0 / from.length()), sense * 90.0 + aside);
+            let percent = self.choices.within(80, 130) as f64;
+            radius = self.on_grid((from.length() * percent / 100.0) as i64);
+            sweep = self.choices.within(140, 178) as f64;
+        }
         let centre = from.plus(left(start).times(sense * radius as f64));
         let end = centre.plus(turn(from.minus(centre), sense * sweep));
         let Some(way) = self.way_to(end, false) else { return false };
