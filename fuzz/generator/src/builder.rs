@@ -183,7 +183,7 @@ impl<'b, 'c, 'd> Builder<'b, 'c, 'd> {
             40..47 if contour::is_within(&profile) => (few, 0, CONTOURS, 0, 0, 0),
             31..40 if cycles::is_within(&profile) => (BESIDE_THREADS, 0, 0, CYCLES, 0, 0),
             21..31 if lap::is_within(&profile) => (few, 0, 0, 0, LAPS, 0),
-            12..21 if cutter::is_within(&profile) => (few, 0, BESIDE_CUTTERS, 0, 0, CUTTERS),
+            13..21 if cutter::is_within(&profile) => (few, 0, BESIDE_CUTTERS, 0, 0, CUTTERS),
             _ => (few, 0, 0, 0, 0, 0),
         };
         if threads > 0 {

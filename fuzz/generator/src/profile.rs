@@ -23,6 +23,7 @@ use crate::tape;
 /// | `=` before a single number | `expression` |
 /// | I and K of a block that begins or ends compensation | `arc` |
 /// | nose radius entries of the set-up | `tool` |
+/// | G41 and G42 in G17 and G119 | `radius-compensation`, with `contour-generation`, `c-axis` and `tool` |
 /// | zero offset of the set-up | `zero-shift` |
 /// | lowest and highest speed of the spindle | `gear` |
 /// | `NOEX`, the limit of the steps of a run | `control-statement` |

@@ -171,9 +171,9 @@ fn of_motion(case: &Case, event: &Event, motion: Motion, deeds: &mut BTreeSet<&'
         if travel < 0 {
             deeds.insert("C backward on the side");
         }
-        if travel.abs() > 300_000_000 {
-            deeds.insert("C almost once round");
-        }
+    }
+    if travel.abs() > 300_000_000 && cites(event, CRC_16) {
+        deeds.insert("C almost once round");
     }
     if motion.speed.is_some() {
         deeds.insert("constant cutting speed");
@@ -208,7 +208,7 @@ fn programs_with_cutters_are_many_and_deep() {
         ("G01 on the face", 60),
         ("G101", 150),
         ("G102 and G103", 100),
-        ("arc round the centre", 1),
+        ("arc round the centre", 3),
         ("turn at the centre", 5),
         ("centre along a ray", 3),
         ("centre through the centre", 3),
@@ -218,7 +218,7 @@ fn programs_with_cutters_are_many_and_deep() {
         ("G01 on the side", 80),
         ("G132 and G133", 60),
         ("C backward on the side", 40),
-        ("C almost once round", 1),
+        ("C almost once round", 10),
         ("C in G00 and G01", 60),
         ("the other arc", 1),
         ("corner of two radii", 3),

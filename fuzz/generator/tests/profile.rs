@@ -93,6 +93,15 @@ fn contours_need_no_more_than_the_profile() {
     assert!(ran.kinds.contains("contour_arc"), "no contour_arc event");
 }
 
+/// The same with radius compensation of noses and cutters.
+#[test]
+fn cutters_need_no_more_than_the_profile() {
+    let needed = [Feature::CAxis, Feature::ContourGeneration, Feature::RadiusCompensation, Feature::Tool];
+    let ran = stays_within(&[SMALL, &needed].concat());
+    assert!(ran.ended * 100 >= SEEDS * 90, "{} of {SEEDS} programs ended", ran.ended);
+    assert!(ran.cutters > SEEDS * 4 / 100, "{} programs with cutters", ran.cutters);
+}
+
 /// Threads with no more than they need.
 #[test]
 fn programs_with_threads_stay_within_and_end() {
@@ -152,6 +161,8 @@ struct Ran {
     cycles: u64,
     /// How many programs have a motion of LAP.
     laps: u64,
+    /// How many programs have a motion in cutter radius compensation.
+    cutters: u64,
 }
 
 fn stays_within(features: &[Feature]) -> Ran {
@@ -176,13 +187,14 @@ fn check(features: &[Feature], seeds: std::ops::Range<u64>) -> Ran {
         if !foreign.is_empty() {
             fail(&foreign);
         }
-        let (mut cuts, mut laps) = (false, false);
+        let (mut cuts, mut laps, mut cutter) = (false, false, false);
         turnspec_oracle::run(&case.program, &case.setup, &mut |event: &Event| {
             ran.events += 1;
             let of_cycle =
                 |rule: &RuleId| rule.as_str().contains("-GRV-") || rule.as_str().contains("-MCYC-");
             cuts |= event.rules.as_slice().iter().any(of_cycle);
             laps |= event.rules.as_slice().iter().any(|rule| rule.as_str().contains("-LAP"));
+            cutter |= event.rules.as_slice().iter().any(|rule| rule.as_str() == "E100L-CRC-05");
             ran.ended += u64::from(matches!(event.action, Action::End { .. }));
             ran.kinds.insert(kind(event));
             let foreign = foreign_event(event, features);
@@ -192,6 +204,7 @@ fn check(features: &[Feature], seeds: std::ops::Range<u64>) -> Ran {
         });
         ran.cycles += u64::from(cuts);
         ran.laps += u64::from(laps);
+        ran.cutters += u64::from(cutter);
     }
     println!("{} events, {} ended, {:?}", ran.events, ran.ended, ran.kinds);
     ran

@@ -8,6 +8,7 @@ use turnspec_oracle::vocabulary::{
 };
 
 use crate::contour_pairs::pairs_agree;
+use crate::cutters::{cutter_step, is_of_cutter};
 use crate::differential::show;
 use crate::plane::{Spot, seen_along_arc, seen_along_line};
 use crate::shape::{motion, trace};
@@ -33,6 +34,8 @@ const HALF: i64 = 180_000_000;
 /// 4. **Path.** F of a line is measured on the distance of its ends, of a motion of X alone on half its travel.
 /// 5. **Side.** `pu` is π·X·C/360.
 ///
+/// In cutter radius compensation the same is said of the cutter centre, by [`cutter_step`].
+///
 /// And of the contours of [`pairs_agree`], which are composed from the bytes: the commanded radius, the image in a mirror, and
 /// one increment more.
 ///
@@ -48,33 +51,36 @@ pub(crate) fn contours_are_true(input: &[u8]) -> Verdict {
 pub(crate) fn follow(events: &[Event]) -> Verdict {
     let mut before: Option<Motion> = None;
     for event in events {
-        if let (Some(from), Some(to)) = (before, motion(event))
-            && to.tip.is_none()
-        {
-            step(from, to, event).map_err(|message| format!("{message}: {event:?}"))?;
+        if let (Some(from), Some(to)) = (before, motion(event)) {
+            let checked = if is_of_cutter(from) || is_of_cutter(to) {
+                cutter_step(from, to, event)
+            } else if to.tip.is_none() {
+                step(from, to, event)
+            } else {
+                Ok(())
+            };
+            checked.map_err(|message| format!("{message}: {event:?}"))?;
         }
         before = match event.action {
             // Another frame, another plane.
             Action::Frame { .. } => None,
             Action::Mode { code, .. } if matches!(code.as_str(), "G136" | "G137" | "G13" | "G14") => None,
-            // A cutter leaves the axes elsewhere than the programmed point.
-            _ if motion(event).is_some_and(|motion| motion.tip_c.is_some()) => None,
             _ => motion(event).filter(|motion| motion.program.c.is_some()).or(before),
         };
     }
     Ok(())
 }
 
-fn cites(event: &Event, rule: RuleId) -> bool {
+pub(crate) fn cites(event: &Event, rule: RuleId) -> bool {
     event.rules.as_slice().contains(&rule)
 }
 
-fn spot(point: FacePoint) -> Spot {
+pub(crate) fn spot(point: FacePoint) -> Spot {
     Spot { p: point.x.0 as f64, q: point.y.0 as f64 }
 }
 
 /// The point of the face of a position.
-fn polar(position: Position) -> Spot {
+pub(crate) fn polar(position: Position) -> Spot {
     let angle = position.c.map_or(0.0, |c| c.0 as f64 / 1e6);
     Spot::polar(position.x.0 as f64 / 2.0, angle)
 }
@@ -102,7 +108,7 @@ fn step(from: Motion, to: Motion, event: &Event) -> Verdict {
     }
 }
 
-fn travel(motion: Motion) -> i64 {
+pub(crate) fn travel(motion: Motion) -> i64 {
     motion.c_travel.map_or(0, |travel| travel.0)
 }
 
@@ -118,7 +124,7 @@ fn end_of(from: Motion, to: Motion, converted: bool) -> Verdict {
 }
 
 /// Statements 3 and 4 of a line.
-fn line(from: Motion, to: Motion, (start, end): (Spot, Spot), path: i64) -> Verdict {
+pub(crate) fn line(from: Motion, to: Motion, (start, end): (Spot, Spot), path: i64) -> Verdict {
     let travel = travel(to);
     let along = (to.program.z.0 - from.program.z.0) as f64;
     let radial = (to.program.x.0 - from.program.x.0) as f64 / 2.0;
@@ -163,7 +169,7 @@ fn on_circle(start: Spot, end: Spot, centre: Spot) -> Verdict {
 }
 
 /// Statement 3.
-fn turned(travel: i64, seen: f64) -> Verdict {
+pub(crate) fn turned(travel: i64, seen: f64) -> Verdict {
     let off = (travel as f64 / 1e6 - seen).abs();
     require(off < ANGLE, || format!("C travels by {travel}, seen under {seen}"))
 }

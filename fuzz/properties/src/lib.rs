@@ -8,6 +8,7 @@
 mod bores;
 mod contour_pairs;
 mod contours;
+mod cutters;
 mod cycles;
 mod differential;
 mod expression;

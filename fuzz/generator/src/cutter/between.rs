@@ -6,6 +6,7 @@ use super::Surface;
 use super::setup::CUTTERS;
 use crate::builder::Builder;
 use crate::companions::has;
+use crate::expression::{Expression, Variable};
 use crate::program::{Item, Statement};
 use crate::state::{Axis, Mode};
 
@@ -25,6 +26,8 @@ enum Between {
     Tool,
     Jump,
     Assignment,
+    /// The frame is written as it is, or that of W changes.
+    Frame,
     Remark,
 }
 
@@ -37,7 +40,8 @@ const BLOCKS: &[(usize, Between)] = &[
     (30, Between::Aside),
     (8, Between::Tool),
     (4, Between::Jump),
-    (12, Between::Assignment),
+    (8, Between::Assignment),
+    (6, Between::Frame),
     (6, Between::Remark),
 ];
 
@@ -78,6 +82,10 @@ impl Builder<'_, '_, '_> {
             Between::Assignment if self.allows(Feature::Variable) && !self.state.is_eia() => {
                 items.push(self.common());
             }
+            Between::Frame if self.allows(Feature::SystemVariable) && !self.state.is_eia() => {
+                let item = self.same_frame();
+                items.push(item);
+            }
             Between::Jump => {
                 if self.allows(Feature::ControlStatement) && self.allows(Feature::SequenceName) {
                     let name = self.new_name();
@@ -100,6 +108,19 @@ impl Builder<'_, '_, '_> {
     /// The number of blocks without motion in the plane, which is one at most (E100L-CRC-14).
     pub(super) fn is_idle(&self) -> bool {
         self.state.cutter.idle > 0
+    }
+
+    /// An assignment to the frame that leaves X, Z and C where they are (E100L-CRC-14).
+    fn same_frame(&mut self) -> Item {
+        if self.state.setup.options.w_axis && self.choices.chance(50) {
+            let present = self.state.zero_offset[Axis::W as usize] / 1_000;
+            let (low, high) = (present - 20_000, present + 20_000);
+            let (item, value) = self.assign_length(Variable::System("VZOFW"), low, high);
+            self.state.zero_offset[Axis::W as usize] = value;
+            return item;
+        }
+        let name = self.choices.pick(&["VZOFX", "VZOFZ", "VZSHX", "VZSHZ"]);
+        Item::Assignment(Variable::System(name), Expression::Variable(Variable::System(name)))
     }
 
     fn harmless_code(&mut self) -> Item {

@@ -1,8 +1,7 @@
-//! Elements of a compensated contour: lines and arcs that leave the one before in a chosen way.
+//! Elements of a compensated contour: lines that leave the one before in a chosen way.
 
 use super::{Surface, face_point};
 use crate::builder::Builder;
-use crate::compensation::corner::left;
 use crate::geometry::Point;
 use crate::program::Item;
 use crate::state::{Axis, Mode};
@@ -23,14 +22,6 @@ enum Leaving {
     Ray,
     /// To a round diameter and a round angle.
     Round,
-}
-
-/// How an arc leaves.
-#[derive(Clone, Copy)]
-enum Starting {
-    Tangential,
-    Along,
-    Turned,
 }
 
 impl Builder<'_, '_, '_> {
@@ -165,7 +156,7 @@ impl Builder<'_, '_, '_> {
     }
 
     /// A direction along a coordinate of the plane.
-    fn along(&mut self) -> Point {
+    pub(super) fn along(&mut self) -> Point {
         self.choices.pick(&[
             Point { z: 1.0, x: 0.0 },
             Point { z: -1.0, x: 0.0 },
@@ -175,7 +166,7 @@ impl Builder<'_, '_, '_> {
     }
 
     /// The direction in which the element before ends.
-    fn cutter_direction(&mut self) -> Point {
+    pub(super) fn cutter_direction(&mut self) -> Point {
         match &self.state.cutter.last {
             Some(last) if last.direction.length() > 0.0 => {
                 last.direction.times(1.0 / last.direction.length())
@@ -194,92 +185,10 @@ impl Builder<'_, '_, '_> {
         };
         self.on_grid(length) as f64
     }
-
-    /// An arc; false where the control would refuse it.
-    fn cutter_arc(&mut self, mut items: Vec<Item>) -> bool {
-        let counter = self.choices.chance(50);
-        let side = self.state.cutter.surface == Surface::Side;
-        let mode = match (side, counter) {
-            (false, true) => Mode::FaceCounter,
-            (false, false) => Mode::FaceClockwise,
-            (true, true) => Mode::SideCounter,
-            (true, false) => Mode::SideClockwise,
-        };
-        self.select(mode, &mut items);
-        let from = self.cutter_point();
-        let sense = if counter { 1.0 } else { -1.0 };
-        let start = self.start_of_arc();
-        let radius = self.cutter_arc_radius();
-        let sweep = match self.choices.below(10) {
-            0..=3 => 90.0,
-            4 => 180.0,
-            5 | 6 => self.choices.pick(&[45.0, 60.0, 120.0, 30.0]),
-            _ => self.choices.within(20, 170) as f64,
-        };
-        let centre = from.plus(left(start).times(sense * radius as f64));
-        let end = centre.plus(turn(from.minus(centre), sense * sweep));
-        let Some(way) = self.way_to(end, false) else { return false };
-        let chord = way.point.minus(from).length();
-        let Some((word, read)) = self.radius_of_chord(radius, chord, way.twice_chord) else { return false };
-        if !side && (from.length() < 1_000.0 || way.point.length() < 1_000.0) {
-            return false;
-        }
-        let centre = centre_of(from, way.point, read as f64, sense);
-        if !self.takes_element(from, way.point, Some((centre, mode))) {
-            return false;
-        }
-        self.follow(&way);
-        items.extend(way.items);
-        items.push(word);
-        self.cut_contour(items);
-        true
-    }
-
-    /// The direction in which an arc starts.
-    fn start_of_arc(&mut self) -> Point {
-        let list = [(34, Starting::Tangential), (30, Starting::Along), (36, Starting::Turned)];
-        match self.choices.weighted(&list) {
-            Starting::Along => self.along(),
-            Starting::Tangential => self.cutter_direction(),
-            Starting::Turned => {
-                let turned = self.choices.pick(&[45.0, -45.0, 90.0, -90.0, 30.0, -30.0, 60.0, -60.0, 180.0]);
-                turn(self.cutter_direction(), turned)
-            }
-        }
-    }
-
-    /// The radius of an arc, larger and smaller than that of the cutter.
-    fn cutter_arc_radius(&mut self) -> i64 {
-        let cutter = self.state.compensation.radius().max(400_000);
-        let radius = match self.choices.below(20) {
-            0..=6 => cutter / 4 * self.choices.within(5, 16),
-            7..=9 => cutter * self.choices.within(4, 10),
-            10 | 11 => cutter / 10 * self.choices.within(4, 9),
-            12 => cutter,
-            13 => cutter + self.choices.within(-2, 2) * self.state.units.finest(),
-            _ => self.choices.within(2, 40) * 1_000_000,
-        };
-        self.on_grid(radius.max(100_000))
-    }
-
-    /// An L word for an arc with about this radius, and what the control reads; none where it is too small for the chord.
-    fn radius_of_chord(&mut self, radius: i64, chord: f64, twice: Option<i64>) -> Option<(Item, i64)> {
-        let plain = self.choices.chance(70);
-        let (word, read) = if plain { self.plain_length("L", radius) } else { self.length("L", radius) };
-        let reaches = |read: i64| match twice {
-            Some(twice) => 4 * read >= twice,
-            None => 2.0 * read as f64 >= chord + 2_000.0,
-        };
-        if reaches(read) {
-            return Some((word, read));
-        }
-        let (word, read) = self.plain_length("L", (chord / 2.0).ceil() as i64 + 3_000);
-        reaches(read).then_some((word, read))
-    }
 }
 
 /// A vector turned counter-clockwise, in degrees; exactly where it is turned by right angles.
-fn turn(vector: Point, degrees: f64) -> Point {
+pub(super) fn turn(vector: Point, degrees: f64) -> Point {
     let (sin, cos) = match degrees {
         0.0 => (0.0, 1.0),
         90.0 => (1.0, 0.0),
@@ -290,25 +199,13 @@ fn turn(vector: Point, degrees: f64) -> Point {
     Point { z: cos * vector.z - sin * vector.x, x: sin * vector.z + cos * vector.x }
 }
 
-/// The centre of an arc with this radius; `sense` is 1 counter-clockwise (E100L-CGF-04, E100L-CGS-04).
-fn centre_of(from: Point, to: Point, radius: f64, sense: f64) -> Point {
-    let way = to.minus(from);
-    let chord = way.length();
-    let height = (radius * radius - chord * chord / 4.0).max(0.0).sqrt();
-    let middle = from.plus(to).times(0.5);
-    let centre = middle.plus(left(way).times(sense * height / chord));
-    Point { z: centre.z.round(), x: centre.x.round() }
-}
-
 #[cfg(test)]
 mod tests {
-    use super::{Point, centre_of, turn};
+    use super::{Point, turn};
 
     #[test]
-    fn centres_and_turns_are_those_of_the_plane() {
-        let (from, to) = (Point { z: 20e6, x: 20e6 }, Point { z: 30e6, x: 30e6 });
-        assert_eq!(centre_of(from, to, 10e6, 1.0), Point { z: 20e6, x: 30e6 });
-        assert_eq!(centre_of(from, to, 10e6, -1.0), Point { z: 30e6, x: 20e6 });
+    fn right_angles_are_exact() {
         assert_eq!(turn(Point { z: 1.0, x: 0.0 }, 90.0), Point { z: 0.0, x: 1.0 });
+        assert_eq!(turn(Point { z: 0.0, x: 2.0 }, -180.0), Point { z: 0.0, x: -2.0 });
     }
 }

@@ -2,9 +2,10 @@
 //! it writes.
 //!
 //! Compensation comes in runs that begin and end it: [`run`] makes ready, begins, adds elements and ends, [`element`] draws lines
-//! and arcs that leave the one before in a chosen way, [`words`] finds the words that lead to a point of the plane, [`between`]
+//! and [`arc`] arcs that leave the one before in a chosen way, [`words`] finds the words that lead to a point of the plane, [`between`]
 //! has blocks without motion in the plane. Corners are those of the nose circle, in the plane (p, q) instead of (z, x).
 
+mod arc;
 mod between;
 mod element;
 mod run;

@@ -140,13 +140,21 @@ impl Builder<'_, '_, '_> {
             way.items.push(item);
             way.c = c;
         }
+        if self.choices.chance(8) {
+            // X may be written as it is (E100L-CRC-18).
+            let (item, x) = self.plain_target_x(way.x);
+            if x == way.x {
+                way.items.push(item);
+            }
+        }
         let forward = (way.c - start_c).rem_euclid(TURN);
         let backward = self.state.contours.is_backward() && forward != 0;
         let travel = if backward { forward - TURN } else { forward };
         way.around += around * travel as f64 / TURN as f64;
         way.point = Point { z: self.side_sign() * way.around, x: way.z as f64 };
         way.twice_chord = (travel == 0).then(|| 2 * (way.z - start).abs());
-        let words = way.items.iter().any(|item| matches!(item, Item::Word(word) if word.address != "M"));
+        let moves = |item: &Item| matches!(item, Item::Word(word) if matches!(word.address, "Z" | "C"));
+        let words = way.items.iter().any(moves);
         (words && self.state.fits(Axis::Z, way.z)).then_some(way)
     }
 }
