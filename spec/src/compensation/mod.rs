@@ -5,8 +5,9 @@
 //! waits and later events are held behind it; blocks are carried out in their order all the same.
 //!
 //! [`nose`], [`leg`], [`circle`] and [`reach`] say what is offset and how far; [`corner`], [`lines`], [`line_and_arc`]
-//! and [`arcs`] where two elements meet; [`ending`] what the event of a motion tells; [`on`], [`back`], [`contour`], [`start_up`] and
-//! [`cancel`] what a block does; [`rest`] what comes behind an element that has ended. [`cutter`] does the same in the planes of rotary tools.
+//! and [`arcs`] where two elements meet; [`on`] what waits for its end, [`rest`] and [`back`] what comes behind an element
+//! that has ended; [`ending`] what the event of a motion tells; [`contour`], [`start_up`] and [`cancel`] what a block does.
+//! [`cutter`] compensates the radius of a cutter in the planes of rotary tools, with the same corners and the same waiting.
 
 mod arcs;
 mod back;

@@ -6,9 +6,6 @@ use crate::path::{Point, Vector};
 use crate::quantity::{Exact, narrow, whole};
 use crate::real::{self, Interval};
 
-/// The largest coordinate of a point.
-const FARTHEST: i64 = 1 << 60;
-
 /// A vector of real numbers, known to any precision: z, and x as a radius.
 pub struct Reach(Box<dyn Fn(usize) -> (Interval, Interval)>);
 
@@ -36,8 +33,7 @@ impl Reach {
             let (along_p, along_q) = (self.0)(precision);
             [Interval::of(&p, precision).add(&along_p), Interval::of(&q, precision).add(&along_q)]
         });
-        let within = |coordinate| narrow(coordinate).clamp(-FARTHEST, FARTHEST);
-        PlanePoint { p: within(&p), q: within(&q) }
+        PlanePoint { p: PlanePoint::within(narrow(&p)), q: PlanePoint::within(narrow(&q)) }
     }
 
     /// E100L-NRC-07: the nose centre seen from P, latched: X as a diameter, and Z. What is beyond every range is

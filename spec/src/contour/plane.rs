@@ -30,6 +30,11 @@ impl PlanePoint {
         }
     }
 
+    /// A coordinate, kept within 2^60, which is beyond every range.
+    pub fn within(coordinate: i64) -> i64 {
+        coordinate.clamp(-(1 << 60), 1 << 60)
+    }
+
     /// The vector from another point, of which no coordinate differs by more than 2^62.
     pub fn from(self, other: Self) -> Self {
         Self { p: self.p - other.p, q: self.q - other.q }

@@ -24,9 +24,6 @@ pub struct Cylinder {
     view: i64,
 }
 
-/// The largest coordinate of a point, beyond every Z.
-const FARTHEST: i64 = 1 << 60;
-
 impl Cylinder {
     /// That of the present diameter.
     pub fn present(state: &State) -> Self {
@@ -46,7 +43,7 @@ impl Cylinder {
     /// The point at the end of a turn, u latched, and at this Z.
     pub fn point(self, turn: i64, z: i64) -> PlanePoint {
         let length = narrow(&real::nearest_whole(|precision| self.exact_length(turn, precision)));
-        PlanePoint { p: self.view * length.clamp(-FARTHEST, FARTHEST), q: z }
+        PlanePoint { p: self.view * PlanePoint::within(length), q: z }
     }
 
     /// How far one point is from another in the direction of C+.
