@@ -47,6 +47,10 @@ pub struct Selection {
 pub fn parse_schedule(line: &Line, setup: &Setup, sequence: &mut Label) -> Outcome<ScheduleBlock> {
     line.check()?;
     let mut cursor = Cursor::new(&line.characters, line.place.end);
+    // Neither a header nor a tape mark is continued.
+    if cursor.peek() == Some(b'$') {
+        return fail(AlarmName::IllegalCharacter, FMT_08);
+    }
     let Beginning { is_name, in_front, name } = beginning(&mut cursor, false)?;
     *sequence = name.unwrap_or_default();
     cursor.skip_blanks()?;
