@@ -138,7 +138,7 @@ bugs! {
     CutterTurnsAsNow 20000 "cutter" [CRC_16] "C turns in the direction in force when the end of a motion becomes known."
     CutterTurnUncited 20000 "cutter" [CRC_16] "A travel of C in G00 and G01 does not cite its rule."
     CutterMajorArc 20000 "cutter" [CRC_15] "An arc of a cutter of more than 180 degrees is executed as it is."
-    CutterRadiusOfProgram 20000 "cutter" [CRC_06, CGF_06] "On the face C turns along an arc of a cutter as on the programmed radius."
+    CutterPathToProgram 20000 "cutter" [CGF_02, CRC_06] "The length of a line of G101 of a cutter is measured to the programmed point."
     CutterTurnsForgotten 20000 "cutter" [CRC_14, CRC_07] "In G119 the length on the cylinder is counted from the start of each block."
     CutterCentreFromOrigin 20000 "cutter" [CRC_07] "The centre of an arc on the side is shown from where C stood when compensation began."
     CutterUnwoundLost 20000 "cutter" [CRC_07] "Along an arc of the side C turns the shorter way."

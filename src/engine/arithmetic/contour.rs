@@ -2,7 +2,8 @@
 //! (E100L-CGF-01, E100L-CGF-04, E100L-CGF-06, E100L-CGF-11, E100L-CGF-12, E100L-CGS-01, E100L-CSC-03).
 //!
 //! Points are in nanometres, each coordinate at most 2^42 in size: words reach 2^37, and the frame shifts them by a
-//! few amounts of that size. Products of two coordinates stay below 2^86.
+//! few amounts of that size. Products of two coordinates stay below 2^86. On the side, in compensation of a cutter, the
+//! first coordinate counts over whole turns; there only ways between points near to each other are multiplied.
 
 use super::round::Rounding;
 

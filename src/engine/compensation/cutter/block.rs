@@ -240,8 +240,8 @@ impl Interpreter<'_> {
         if of_centre < 0 || contour.is_too_small() {
             return Fault::raise(AlarmName::CompensationArcTooSmall, rules::NRC_48);
         }
-        let radius = if planted::is(Bug::CutterRadiusOfProgram) { radius } else { of_centre };
-        Ok(Programmed { arc: Some(ProgrammedArc { centre, radius, sense: sense(motion) }), ..programmed })
+        let arc = ProgrammedArc { centre, radius: of_centre, sense: sense(motion) };
+        Ok(Programmed { arc: Some(arc), ..programmed })
     }
 
     /// An element with the side and the cutter of its block.

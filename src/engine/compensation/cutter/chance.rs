@@ -257,3 +257,57 @@ fn cutters_on_the_side() {
     }
     assert!(checked[0] > 2000 && checked[1] > 700 && checked[2] > 300, "{checked:?}");
 }
+
+/// One of some words.
+fn one<'w>(seed: &mut u64, words: &[&'w str]) -> &'w str {
+    let index = usize::try_from(chance(seed, words.len() as u64)).unwrap_or_default();
+    words.get(index).copied().unwrap_or_default()
+}
+
+#[test]
+fn the_longest_and_the_shortest_words_break_nothing() {
+    let lengths = ["0", "0.001", "-0.001", "1", "-1", "50", "49.999", "99999.999", "-99999.999", "-50"];
+    let radii = ["0", "0.001", "5", "999.999"];
+    let mut moved = [0; 3];
+    for seed in 0..6000 {
+        let seed = &mut (seed * 31 + 11);
+        let radius = one(seed, &radii);
+        let kind = chance(seed, 3);
+        let head = match kind {
+            0 => "G17 G94 F1000\nG00 X50 C0 T010101",
+            1 => "G119 G94 F1000\nG00 X50 Z0 C0 T010101",
+            _ => "G137 C33.333\nG17 G94 F1000\nG00 X50 Y0 T010101",
+        };
+        let mut program = format!("M110\nVNSRX[1]={radius} VNSRZ[1]={radius}\n{head}\n");
+        for number in 0..7 {
+            let code = match (kind, number) {
+                (_, 0) => one(seed, &["G41 G00", "G42 G01"]),
+                (1, _) => one(seed, &["G00", "G01", "G132", "G133"]),
+                _ => one(seed, &["G00", "G101", "G102", "G103", "G101"]),
+            };
+            let arc = matches!(code, "G102" | "G103" | "G132" | "G133");
+            let (first, second) = match kind {
+                0 => ("X", "C"),
+                1 => ("C", "Z"),
+                _ => ("X", "Y"),
+            };
+            let word = |address: &str, seed: &mut u64| {
+                let value = one(seed, &lengths);
+                let diameter = address == "X" && kind == 0;
+                format!("{address}{}", if diameter { value.trim_start_matches('-') } else { value })
+            };
+            program += &format!("{code} {} {} ", word(first, seed), word(second, seed));
+            if arc {
+                program += one(seed, &["L0.001", "L50", "L99999.999", "L100"]);
+            }
+            program += one(seed, &["\n", "\n", "\n", "\nM16\n", "\nM15\n", "\nZ5\n", " G91\n", " G90\n"]);
+        }
+        program += "G40 G00 X70 C0\nM02\n";
+        let events = events(&program, &Setup::default());
+        let compensated = |event: &&Event| motion_of(event).is_some_and(|(motion, _)| motion.tip_c.is_some());
+        if let Some(count) = usize::try_from(kind).ok().and_then(|kind| moved.get_mut(kind)) {
+            *count += usize::from(events.iter().filter(compensated).count() > 1);
+        }
+    }
+    assert!(moved.iter().all(|count| *count > 100), "{moved:?}");
+}

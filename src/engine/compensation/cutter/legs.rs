@@ -105,13 +105,15 @@ impl Interpreter<'_> {
     ) -> Result<Legs, Fault> {
         let course = Course::between(station(from), station(to), programmed.z, programmed.z_target);
         let lines = Lines::of(&course)?;
+        let end = if planted::is(Bug::CutterPathToProgram) { &programmed.place } else { to };
+        let length = Course { end: station(end), ..course }.length_of_points(to.z);
         let percent = self.setup.parameters.centre_override;
         let legs = lines.legs(&course, feed, percent, RuleSet::EMPTY);
         Ok(legs.map(|leg| {
             let leg = leg?;
             let (x, point) = leg.face.unwrap_or_default();
             let cut = match (lines, leg.shape) {
-                (Lines::One(_), _) => Cut::Line(course.length_of_points(to.z)),
+                (Lines::One(_), _) => Cut::Line(length),
                 (_, Shape::Line(path)) => Cut::Line(path),
                 (_, Shape::Arc(sense, plane)) => Cut::Arc(sense, plane),
             };

@@ -26,8 +26,8 @@ impl Formula for Turned {
     }
 }
 
-/// A point whose coordinates are small enough for the products of two of them; what is beyond lies out of the range of
-/// every address.
+/// A point whose coordinates have so many bits at most. On the face what is beyond 42 lies out of the range of X; on the
+/// side Z alone has a range, and u may be long where parallels meet far away.
 fn bounded(point: Spot, bits: u32) -> Spot {
     let most = 1_i64 << bits;
     Spot { p: point.p.clamp(-most, most), q: point.q.clamp(-most, most) }
@@ -51,7 +51,7 @@ impl Interpreter<'_> {
             return Ok(of_program);
         }
         if plane == Plane::Face {
-            let point = bounded(point, 57);
+            let point = bounded(point, 42);
             if point.is_centre() && !planted::is(Bug::CutterThroughCentre) {
                 return Err(undefined(rules::CRC_14, "centre"));
             }
