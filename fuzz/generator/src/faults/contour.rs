@@ -84,7 +84,9 @@ impl Builder<'_, '_, '_> {
         }
         let text = self.choices.pick(texts::IN_COMPENSATION);
         self.state.setup.parameters.side_contour_mode = false;
-        self.blocks(&READY) && self.blocks(&["G42 G01 X90 Z45 T010100", "Z20"]) && self.contour_lines(text)
+        self.blocks(&READY)
+            && self.blocks(&["G18 G42 G01 X90 Z45 T010100", "Z20"])
+            && self.contour_lines(text)
     }
 
     /// A code of the side in another plane.
