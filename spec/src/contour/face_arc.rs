@@ -65,8 +65,6 @@ fn chord_square(way: &Way, precision: usize) -> Interval {
 pub fn travel(way: &Way, arc: &FaceArc) -> Outcome<i64> {
     let FaceArc { centre, radius, sense } = *arc;
     let forward = sense == Sense::CounterClockwise;
-    let (of_arc, of_other) =
-        if forward { (way.forward(), way.backward()) } else { (way.backward(), way.forward()) };
     let with_chord = match way.bearing() {
         Bearing::Same => return Ok(0),
         Bearing::Opposite => None,
@@ -74,7 +72,7 @@ pub fn travel(way: &Way, arc: &FaceArc) -> Outcome<i64> {
         Bearing::Backward => Some(!forward),
     };
     if with_chord == Some(true) {
-        return Ok(of_arc);
+        return Ok(way.beside(forward));
     }
     let square = |length: i64| i128::from(length) * i128::from(length);
     let from_centre = centre.square();
@@ -83,6 +81,8 @@ pub fn travel(way: &Way, arc: &FaceArc) -> Outcome<i64> {
     if beyond(radius - NEAR) && from_centre < square(radius + NEAR) {
         return Err(Fault::about(AlarmName::Unspecified, CGF_04, "centre"));
     }
-    let goes_round = with_chord.is_none() || from_centre < square(radius);
-    Ok(if goes_round { of_arc } else { of_other })
+    if with_chord.is_none() {
+        return Ok(if forward { way.forward() } else { way.backward() });
+    }
+    Ok(if from_centre < square(radius) { way.around(forward) } else { way.beside(!forward) })
 }

@@ -27,8 +27,8 @@ pub fn steps(way: &Way, has_z: bool) -> Outcome<Vec<FaceStep>> {
                 turn(after, way.forward(), CGF_11),
                 radial(after, end, CGF_11),
             ],
-            Bearing::Forward => vec![line(way, way.forward(), RuleSet::EMPTY)],
-            Bearing::Backward => vec![line(way, way.backward(), RuleSet::EMPTY)],
+            Bearing::Forward => vec![line(way, way.beside(true), RuleSet::EMPTY)],
+            Bearing::Backward => vec![line(way, way.beside(false), RuleSet::EMPTY)],
         },
     };
     // Nothing tells where Z would move while C turns alone.

@@ -122,6 +122,25 @@ impl Way {
         turn::travel(self.start.c, self.end.c, 0, false)
     }
 
+    /// The turn on the side of the chord, by less than half a turn. Of a cutter centre the C of one end may have been
+    /// programmed and that of the other computed: on nearly the same ray the points tell the side, and rounding must
+    /// not make a whole turn of it (E100L-CRC-14).
+    pub fn beside(&self, positive: bool) -> i64 {
+        let turned = if positive { self.forward() } else { self.backward() };
+        let is_rounding = self.of == Whose::Cutter && turned.abs() > 3 * (turn::FULL_TURN / 4);
+        if is_rounding { turned - turned.signum() * turn::FULL_TURN } else { turned }
+    }
+
+    /// The turn round the centre on the other side of the chord, by more than half a turn; likewise.
+    pub fn around(&self, positive: bool) -> i64 {
+        let turned = if positive { self.forward() } else { self.backward() };
+        let is_rounding = self.of == Whose::Cutter && turned.abs() < turn::FULL_TURN / 4;
+        if !is_rounding {
+            return turned;
+        }
+        if positive { turned + turn::FULL_TURN } else { turned - turn::FULL_TURN }
+    }
+
     /// E100L-CGF-10: the shorter turn, the positive one of 180 degrees.
     pub fn shorter(&self) -> i64 {
         let forward = self.forward();

@@ -69,13 +69,15 @@ pub struct Course {
     pub z_target: Option<i64>,
     /// Whether the points are those of conversion mode.
     pub converted: bool,
+    /// Whether it is that of a cutter centre in compensation.
+    pub of_cutter: bool,
 }
 
 impl Course {
     /// Between two points of the face, with program Z before and the target of a Z word.
     pub fn between(start: Station, end: Station, z: i64, z_target: Option<i64>) -> Self {
         let bearing = Bearing::of_points(start.point, end.point);
-        Self { start, end, bearing, z, z_target, converted: true }
+        Self { start, end, bearing, z, z_target, converted: true, of_cutter: true }
     }
 
     fn bearing(start: Station, end: Station, converted: bool) -> Bearing {
@@ -97,6 +99,29 @@ impl Course {
     /// The travel of C in the positive or the negative direction.
     pub fn turn(&self, positive: bool) -> i64 {
         turn::travel(self.start.c, self.end.c, 0, !positive)
+    }
+
+    /// The turn on the side of the chord. Of a cutter centre, one of whose C may be a programmed one, the last digit may
+    /// contradict the side on nearly the same ray, and makes no whole turn (execution of contours, 9).
+    pub fn turn_beside(&self, positive: bool) -> i64 {
+        const MOST: i64 = turn::TURN / 4 * 3;
+        let turned = self.turn(positive);
+        match self.of_cutter {
+            true if turned > MOST => turned - turn::TURN,
+            true if turned < -MOST => turned + turn::TURN,
+            _ => turned,
+        }
+    }
+
+    /// The turn round the centre, on the other side; there the last digit takes no whole turn away.
+    fn turn_around(&self, positive: bool) -> i64 {
+        const LEAST: i64 = turn::TURN / 4;
+        let turned = self.turn(positive);
+        match (self.of_cutter && turned.abs() < LEAST, positive) {
+            (true, true) => turned + turn::TURN,
+            (true, false) => turned - turn::TURN,
+            (false, _) => turned,
+        }
     }
 
     /// The exact distance of the ends.
@@ -124,7 +149,11 @@ impl Course {
             return Err(unspecified(CGF_04, "centre"));
         }
         let encloses = distance < i128::from(radius) * i128::from(radius) && !planted::is(Bug::ArcWithChord);
-        Ok(self.turn(if against && encloses { positive } else { left }))
+        Ok(match self.bearing {
+            Bearing::Opposite => self.turn(positive),
+            _ if against && encloses => self.turn_around(positive),
+            _ => self.turn_beside(left),
+        })
     }
 }
 
@@ -199,7 +228,7 @@ impl Interpreter<'_> {
             (start, Station { point: self.point_of(to_x, to_c), x: to_x, c: to_c })
         };
         let bearing = Course::bearing(start, end, converted);
-        Ok(Course { start, end, bearing, z, z_target, converted })
+        Ok(Course { start, end, bearing, z, z_target, converted, of_cutter: false })
     }
 
     /// The arc of a block.

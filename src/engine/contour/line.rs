@@ -33,8 +33,8 @@ impl Lines {
             Bearing::Centre => Self::Apart(turn::shorter(start.c, end.c)),
             Bearing::Same => Self::One(0),
             Bearing::Opposite => Self::Apart(course.turn(!planted::is(Bug::ThroughCentreBackward))),
-            Bearing::Left => Self::One(course.turn(true)),
-            Bearing::Right => Self::One(course.turn(planted::is(Bug::LineTurnsForward))),
+            Bearing::Left => Self::One(course.turn_beside(true)),
+            Bearing::Right => Self::One(course.turn_beside(planted::is(Bug::LineTurnsForward))),
         };
         let travels = course.z_target.is_some_and(|z| z != course.z);
         match lines {
