@@ -106,7 +106,7 @@ impl Course {
     pub fn turn_beside(&self, positive: bool) -> i64 {
         const MOST: i64 = turn::TURN / 4 * 3;
         let turned = self.turn(positive);
-        match self.of_cutter {
+        match self.of_cutter && !planted::is(Bug::CutterWholeTurn) {
             true if turned > MOST => turned - turn::TURN,
             true if turned < -MOST => turned + turn::TURN,
             _ => turned,

@@ -136,7 +136,7 @@ impl Builder<'_, '_, '_> {
     }
 
     /// Toward the centre of the face or away from it; without a radius through it too.
-    fn on_ray(&mut self, from: Point, by: f64) -> Point {
+    pub(super) fn on_ray(&mut self, from: Point, by: f64) -> Point {
         let away = from.length().max(1.0);
         if self.state.compensation.radius() == 0 {
             return match self.choices.below(3) {

@@ -50,6 +50,8 @@ pub struct Cutter {
     sign: i64,
     /// The element whose end is not known yet; none behind the start-up.
     last: Option<Element>,
+    /// Whether the next run begins without a radius.
+    blunt: bool,
     /// Blocks without motion in the plane since a motion began to wait.
     idle: usize,
     /// The length on the cylinder from where C stood when compensation began, in nanometres.

@@ -16,8 +16,12 @@ impl Builder<'_, '_, '_> {
         }
         let surface =
             self.choices.weighted(&[(36, Surface::Face), (32, Surface::Conversion), (32, Surface::Side)]);
-        self.state.cutter = super::Cutter { surface, ..super::Cutter::default() };
-        self.take_cutter();
+        let blunt =
+            surface == Surface::Face && self.state.compensation.radius() == 0 && self.choices.chance(30);
+        self.state.cutter = super::Cutter { surface, blunt, ..super::Cutter::default() };
+        if !blunt {
+            self.take_cutter();
+        }
         if !self.position_for_cutter(surface) {
             return;
         }
@@ -27,6 +31,9 @@ impl Builder<'_, '_, '_> {
             let begun = if through { self.centre_line() } else { self.begin_cutter(None) };
             if !begun {
                 break;
+            }
+            if self.state.cutter.blunt {
+                self.blunt_ray();
             }
             if !self.cut_elements(through) || self.state.cutter.idle > 1 {
                 return self.nothing_more();
@@ -102,7 +109,8 @@ impl Builder<'_, '_, '_> {
             self.state.plane = plane;
         }
         items.push(Item::g(if self.state.cutter.sign > 0 { 41 } else { 42 }));
-        if self.state.compensation.radius() == 0 && !Self::has_tool(&items) && self.choices.chance(75) {
+        let bare = self.state.compensation.radius() == 0 && !self.state.cutter.blunt;
+        if bare && !Self::has_tool(&items) && self.choices.chance(75) {
             items.extend(self.cutter_word(false));
         }
         self.straight_block(wanted, items)
@@ -160,6 +168,22 @@ impl Builder<'_, '_, '_> {
         let end = Point { z: (-way * away / on) as f64, x: start.x };
         self.attempted(|builder| builder.cutter_line_to(end, Vec::new()));
         true
+    }
+
+    /// A line without a radius along a ray of the face, and one with a radius: the first ends where it meets the parallel of the
+    /// second, on the ray on which it begins but for rounding (E100L-CRC-14).
+    fn blunt_ray(&mut self) {
+        self.state.cutter.blunt = false;
+        let from = self.cutter_point();
+        let by = self.choices.pick(&[-1, 1]) * self.choices.within(1, 30) * 500_000;
+        let end = self.on_ray(from, by as f64);
+        if self.attempted(|builder| builder.cutter_line_to(end, Vec::new())) {
+            self.attempted(|builder| {
+                let items = builder.cutter_word(false).into_iter().collect();
+                let wanted = builder.cutter_leg(builder.cutter_point());
+                builder.cutter_line_to(wanted, items)
+            });
+        }
     }
 
     /// Elements with what stands between them; false where there is none. `begun`: there may be one already.
