@@ -65,7 +65,8 @@ pub(crate) fn follow(events: &[Event]) -> Verdict {
             // Another frame, another plane.
             Action::Frame { .. } => None,
             Action::Mode { code, .. } if matches!(code.as_str(), "G136" | "G137" | "G13" | "G14") => None,
-            _ => motion(event).filter(|motion| motion.program.c.is_some()).or(before),
+            // Without C nothing is known of what comes behind.
+            _ => motion(event).map_or(before, |motion| motion.program.c.is_some().then_some(motion)),
         };
     }
     Ok(())
@@ -140,7 +141,8 @@ pub(crate) fn line(from: Motion, to: Motion, (start, end): (Spot, Spot), path: i
         }
         _ if travel == 0 => radial.hypot(along),
         _ => {
-            require(travel.abs() < HALF, || format!("a line over {travel}"))?;
+            // A cutter centre that passes within a nanometre of the centre turns C by half a turn, latched.
+            require(travel.abs() <= HALF, || format!("a line over {travel}"))?;
             if let Some(seen) = seen_along_line(start, end) {
                 turned(travel, seen)?;
             }

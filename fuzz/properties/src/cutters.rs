@@ -99,7 +99,13 @@ fn on_side((from, to): (Motion, Motion), side: SideArc) -> Verdict {
     let start = Spot { p: aside(from), q: along(from) };
     let end = Spot { p: side.travel.0 as f64 + aside(to), q: along(to) };
     let centre = Spot { p: side.centre.0 as f64, q: side.centre_z.0 as f64 };
-    on_circle(start, end, centre)
+    // On a thin part the cutter may be more than half a turn beside the programmed point.
+    let once = std::f64::consts::PI * to.program.x.0 as f64;
+    let turned = |spot: Spot, turns: i32| Spot { p: spot.p + once * f64::from(turns), ..spot };
+    let mut turns = (-2..=2).flat_map(|first| (-2..=2).map(move |second| (first, second)));
+    let fits =
+        turns.any(|(first, second)| on_circle(turned(start, first), turned(end, second), centre).is_ok());
+    if fits { Ok(()) } else { on_circle(start, end, centre) }
 }
 
 #[cfg(test)]
