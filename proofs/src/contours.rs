@@ -4,7 +4,7 @@
 use turnspec::engine::arithmetic::contour::{
     Spot, cross, dot, half, passes_near, percent_of, quarter, square, turn_length, twice_cosine, twice_sine, way,
 };
-use turnspec::engine::arithmetic::turn::{TURN, shorter, travel};
+use turnspec::engine::arithmetic::turn::{TURN, around, beside, shorter, travel};
 use turnspec_oracle::integer::turn as oracle;
 
 use crate::draw::{between, factor, one_of, within, within_wide};
@@ -201,6 +201,40 @@ theorems! {
         assert!(forward == oracle::travel(present, target, 0, true));
         assert!(back == oracle::travel(present, target, 0, false));
     }
+
+    /// A way to an angle on a known side leads there, and is no more than three quarters of a turn; where the angles do not contradict
+    /// the side it is the way in that direction. Engine and oracle agree.
+    /// Of: `turn::beside`, `integer::turn::beside`
+    /// Assumes: angles within a turn.
+    /// Rules: E100L-CRC-14
+    #[unwind(2)]
+    fn a_way_beside_the_centre_is_no_whole_turn() {
+        let (present, target) = (between(0, TURN - 1), between(0, TURN - 1));
+        let negative: bool = kani::any();
+        let way = beside(present, target, negative);
+        let plain = travel(present, target, 0, negative);
+        kani::cover!(way != plain, "rounding");
+        assert!(way.abs() <= TURN / 4 * 3);
+        assert!(way == plain || (way - plain).abs() == TURN && plain.abs() > TURN / 4 * 3);
+        assert!(way == oracle::beside(present, target, !negative));
+    }
+
+    /// A way round the centre leads there in its direction, and is a quarter of a turn at least; where it is no less it is the plain
+    /// way. Engine and oracle agree.
+    /// Of: `turn::around`, `integer::turn::around`
+    /// Assumes: angles within a turn.
+    /// Rules: E100L-CRC-14
+    #[unwind(2)]
+    fn a_way_round_the_centre_is_never_nothing() {
+        let (present, target) = (between(0, TURN - 1), between(0, TURN - 1));
+        let negative: bool = kani::any();
+        let way = around(present, target, negative);
+        let plain = travel(present, target, 0, negative);
+        kani::cover!(way != plain, "rounding");
+        assert!(way.abs() >= TURN / 4 && (way < 0) == negative);
+        assert!(way == plain || (way - plain).abs() == TURN && plain.abs() < TURN / 4);
+        assert!(way == oracle::around(present, target, !negative));
+    }
 }
 
 refutations! {
@@ -209,6 +243,13 @@ refutations! {
     fn the_shorter_way_is_short() {
         let (present, target) = (between(0, TURN - 1), between(0, TURN - 1));
         assert!(shorter(present, target) < TURN / 4);
+    }
+
+    /// False: a way beside the centre keeps its direction.
+    #[unwind(2)]
+    fn beside_the_centre_is_never_back() {
+        let (present, target) = (between(0, TURN - 1), between(0, TURN - 1));
+        assert!(beside(present, target, false) >= 0);
     }
 
     /// False: points of one line through the centre lie on one ray.

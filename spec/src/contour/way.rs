@@ -123,22 +123,16 @@ impl Way {
     }
 
     /// The turn on the side of the chord, by less than half a turn. Of a cutter centre the C of one end may have been
-    /// programmed and that of the other computed: on nearly the same ray the points tell the side, and rounding must
-    /// not make a whole turn of it (E100L-CRC-14).
+    /// programmed and that of the other computed: on nearly the same ray the points tell the side (E100L-CRC-14).
     pub fn beside(&self, positive: bool) -> i64 {
-        let turned = if positive { self.forward() } else { self.backward() };
-        let is_rounding = self.of == Whose::Cutter && turned.abs() > 3 * (turn::FULL_TURN / 4);
-        if is_rounding { turned - turned.signum() * turn::FULL_TURN } else { turned }
+        let way = if self.of == Whose::Cutter { turn::beside } else { of_angles };
+        way(self.start.c, self.end.c, positive)
     }
 
     /// The turn round the centre on the other side of the chord, by more than half a turn; likewise.
     pub fn around(&self, positive: bool) -> i64 {
-        let turned = if positive { self.forward() } else { self.backward() };
-        let is_rounding = self.of == Whose::Cutter && turned.abs() < turn::FULL_TURN / 4;
-        if !is_rounding {
-            return turned;
-        }
-        if positive { turned + turn::FULL_TURN } else { turned - turn::FULL_TURN }
+        let way = if self.of == Whose::Cutter { turn::around } else { of_angles };
+        way(self.start.c, self.end.c, positive)
     }
 
     /// E100L-CGF-10: the shorter turn, the positive one of 180 degrees.
@@ -146,4 +140,9 @@ impl Way {
         let forward = self.forward();
         if forward <= turn::FULL_TURN / 2 { forward } else { self.backward() }
     }
+}
+
+/// The turn that the angles tell.
+fn of_angles(start: i64, end: i64, positive: bool) -> i64 {
+    turn::travel(start, end, 0, positive)
 }

@@ -22,3 +22,21 @@ pub fn travel(present: i64, target: i64, turns: i64, positive: bool) -> i64 {
     let turns = turns * FULL_TURN;
     if positive { within(target - present) + turns } else { -within(present - target) - turns }
 }
+
+/// E100L-CRC-14: the way from one angle to another that lies on a known side of it by less than half a turn. Where the angles
+/// contradict that by rounding, it leads back a little instead of once round. Angles of a full turn.
+#[must_use]
+pub fn beside(present: i64, target: i64, positive: bool) -> i64 {
+    let turned = travel(present, target, 0, positive);
+    let contradicts = turned.abs() > 3 * (FULL_TURN / 4);
+    if contradicts { turned - turned.signum() * FULL_TURN } else { turned }
+}
+
+/// E100L-CRC-14: the way round the other side of the centre, by more than half a turn; where the angles contradict that by
+/// rounding, it is a little more than a full turn instead of nothing. Angles of a full turn.
+#[must_use]
+pub fn around(present: i64, target: i64, positive: bool) -> i64 {
+    let turned = travel(present, target, 0, positive);
+    let full = if positive { FULL_TURN } else { -FULL_TURN };
+    if turned.abs() < FULL_TURN / 4 { turned + full } else { turned }
+}

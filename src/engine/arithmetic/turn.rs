@@ -41,3 +41,29 @@ pub fn share(number: i64, starts: i64) -> i64 {
 pub fn travel(present: i64, target: i64, turns: i64, negative: bool) -> i64 {
     if negative { -within(present - target) - turns * TURN } else { within(target - present) + turns * TURN }
 }
+
+/// The way in a direction in which the target is known to lie by less than half a turn but for rounding, which never makes
+/// it a whole turn (E100L-CRC-14). Both within a turn.
+#[inline]
+#[must_use]
+pub fn beside(present: i64, target: i64, negative: bool) -> i64 {
+    const MOST: i64 = TURN / 4 * 3;
+    match travel(present, target, 0, negative) {
+        way if way > MOST => way - TURN,
+        way if way < -MOST => way + TURN,
+        way => way,
+    }
+}
+
+/// The way in a direction in which the target is known to lie by more than half a turn but for rounding, which never takes
+/// a whole turn away (E100L-CRC-14). Both within a turn.
+#[inline]
+#[must_use]
+pub fn around(present: i64, target: i64, negative: bool) -> i64 {
+    const LEAST: i64 = TURN / 4;
+    match travel(present, target, 0, negative) {
+        way if way.abs() >= LEAST => way,
+        way if negative => way - TURN,
+        way => way + TURN,
+    }
+}

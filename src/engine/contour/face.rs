@@ -102,26 +102,18 @@ impl Course {
     }
 
     /// The turn on the side of the chord. Of a cutter centre, one of whose C may be a programmed one, the last digit may
-    /// contradict the side on nearly the same ray, and makes no whole turn (execution of contours, 9).
+    /// contradict the side on nearly the same ray (execution of contours, 9).
     pub fn turn_beside(&self, positive: bool) -> i64 {
-        const MOST: i64 = turn::TURN / 4 * 3;
-        let turned = self.turn(positive);
-        match self.of_cutter && !planted::is(Bug::CutterWholeTurn) {
-            true if turned > MOST => turned - turn::TURN,
-            true if turned < -MOST => turned + turn::TURN,
-            _ => turned,
+        if self.of_cutter && !planted::is(Bug::CutterWholeTurn) {
+            turn::beside(self.start.c, self.end.c, !positive)
+        } else {
+            self.turn(positive)
         }
     }
 
-    /// The turn round the centre, on the other side; there the last digit takes no whole turn away.
+    /// The turn round the centre, on the other side; likewise.
     fn turn_around(&self, positive: bool) -> i64 {
-        const LEAST: i64 = turn::TURN / 4;
-        let turned = self.turn(positive);
-        match (self.of_cutter && turned.abs() < LEAST, positive) {
-            (true, true) => turned + turn::TURN,
-            (true, false) => turned - turn::TURN,
-            (false, _) => turned,
-        }
+        if self.of_cutter { turn::around(self.start.c, self.end.c, !positive) } else { self.turn(positive) }
     }
 
     /// The exact distance of the ends.
