@@ -19,7 +19,7 @@ const CHAPTERS_OF_COMPENSATION: [(&str, usize); 11] = [
     ("compensation-corners", 26),
     ("compensation-arcs", 26),
     ("compensation-waiting", 23),
-    ("cutter-compensation", 16),
+    ("cutter-compensation", 14),
     ("arcs", 40),
     ("chamfers", 34),
     ("coordinates", 20),

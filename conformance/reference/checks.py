@@ -75,7 +75,8 @@ class Check:
         side = next((code for code in g if code in ("G41", "G42")), None)
         self.refuse(planes - {"G18"} and not joined, "c_axis_not_joined", "CRC-02")
         self.refuse(planes and self.before != "G40" and not self.ends, "plane_change_in_compensation", "CRC-13")
-        self.refuse(side and self.plane != "G18", "not_modelled", "CRC-14", side)
+        if side and self.plane != "G18":
+            raise Unsupported("cutter radius compensation")
         self.refuse((self.begins or self.ends) and self.arc, linear, "NRC-19" if self.begins else "NRC-72")
         nowhere = self.block.has("IK") and not words.get("I") and not words.get("K")
         rule = "NRC-24" if self.begins else "NRC-70"
