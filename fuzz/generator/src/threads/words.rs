@@ -34,7 +34,7 @@ impl Builder<'_, '_, '_> {
     }
 
     /// An S word of a spindle that turns.
-    fn turning_speed(&mut self) -> Item {
+    pub(super) fn turning_speed(&mut self) -> Item {
         let speed = self.choices.pick(&[300, 500, 1_000, 2_000, 1, 60, 65_535]);
         self.state.threads.note_speed(false, speed);
         self.whole("S", speed)
