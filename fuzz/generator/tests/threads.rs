@@ -200,9 +200,9 @@ fn programs_with_threads_are_many_and_deep() {
     assert!(ended * 100 > threads * 60, "{ended} of {threads} ended");
     assert!(events > threads * 50 && passes > threads * 12, "{events} events, {passes} of threads");
     deeds.demand(&[
-        ("an angle alone before a length", 10),
-        ("an angle alone behind a length", 10),
-        ("an angle alone between lengths", 10),
+        ("an angle alone before a length", 35),
+        ("an angle alone behind a length", 20),
+        ("an angle alone between lengths", 35),
         ("a block that cuts more than once", 500),
         ("balanced infeed", 25),
         ("beside a barrier", 40),

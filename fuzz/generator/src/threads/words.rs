@@ -69,7 +69,7 @@ impl Builder<'_, '_, '_> {
             self.thread_code(code, items);
         }
         if compound && (steady || self.choices.chance(50)) {
-            let code = self.choices.pick(&[32, 33, 34]);
+            let code = self.choices.pick(&[32, 33, 33, 34]);
             self.thread_code(code, items);
         }
     }
