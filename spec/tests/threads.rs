@@ -224,6 +224,145 @@ fn look_ahead_refuses_threads() {
     }
 }
 
+/// What legs cite that have an angle alone, or follow on one (E100L-ANG-06).
+#[test]
+fn an_angle_alone_cites_its_rules() {
+    let program =
+        "G00 X30 Z80\nG34 A135 F2 C10\nG91 X20 Z-40 A180\nG90 G01 A135\nG35 X60 Z10 A180 J2 C9\nM02\n";
+    let found = cited(program, &Setup::default());
+    let legs: Vec<&str> =
+        found.iter().map(String::as_str).filter(|line| line.starts_with("thread")).collect();
+    let all = "thread COORD-03 G34-01 G34-04 ANG-01 ANG-06";
+    let expected = [
+        format!("{all} ABS-01 G34-05"),
+        format!("{all} ABS-02 ABS-03 DIA-01 G34-03"),
+        format!("{all} ABS-01 DIA-01 G34-03 G34-05 THRD-06"),
+    ];
+    same_words(&legs, &expected);
+}
+
+/// E100L-ANG-06: where legs end whose corner follows from the next block.
+#[test]
+fn an_angle_alone_ends_on_the_next_line() {
+    let setup = Setup::default();
+    for (program, points) in [
+        // In G91 the next block counts from where the first one starts, and the one behind it from its end.
+        (
+            "G00 X30 Z80\nG34 A135 F1\nG91 X20 Z-40 A180\nX2 Z-1\nM02\n",
+            &["x=30 z=80", "x=50 z=70", "x=50 z=40", "x=52 z=39"][..],
+        ),
+        (
+            "G00 X30 Z80\nG35 A-45 F1\nG34 X50 Z40 A0 E1 J2 C9 M26\nM02\n",
+            &["x=30 z=80", "x=50 z=70", "x=50 z=40"],
+        ),
+        (
+            "G00 X30 Z80\nG34 A180 F1\nG90 G01 X50 Z60 A135 F2\nM02\n",
+            &["x=30 z=80", "x=30 z=70", "x=50 z=60"],
+        ),
+        (
+            "G00 X30 Z80\nA135\nG34 X50 Z40 A180 F2\nX60 Z39\nM02\n",
+            &["x=30 z=80", "x=50 z=70", "x=50 z=40", "x=60 z=39"],
+        ),
+        // The next block is rounded itself.
+        (
+            "G00 X30 Z80\nG34 A135 F1\nG01 G75 X50 Z40 A180 L5\nX60\nM02\n",
+            &["x=30 z=80", "x=50 z=70", "x=50 z=45", "x=60 z=40", "x=60 z=40"],
+        ),
+        // A corner, an angle alone behind it, a leg.
+        (
+            "G00 X10 Z80\nG01 G75 X30 L5 F1\nA180\nG34 X50 Z60 A135\nM02\n",
+            &["x=10 z=80", "x=20 z=80", "x=30 z=75", "x=30 z=70", "x=50 z=60"],
+        ),
+    ] {
+        let events = trace(program, &setup);
+        let moved = events.iter().map(render).filter(|event| event.contains(" x="));
+        let found: Vec<String> =
+            moved.map(|event| event.split(' ').skip(1).take(2).collect::<Vec<_>>().join(" ")).collect();
+        assert_eq!(found, points, "{program}");
+        assert!(last(program, &setup).starts_with("end "), "{program}");
+    }
+}
+
+/// In G88 such legs are read like others (E100L-AP3-01), and look-ahead ends with G80.
+#[test]
+fn an_angle_alone_in_a_thread_of_lap() {
+    let mut setup = Setup::default();
+    let definition =
+        |lines: &str| format!("G00 X60 Z90\nNQ1 G81\nG00 X30 Z80\n{lines}\nG88 NQ1 D1 H1 M74\nM02\n");
+    for (lines, wanted) in [
+        ("G34 A135 F1\nX50 Z40 A180 E1 C9 J2\nG80", "end code=M02"),
+        ("G34 A135 F1\nX50 Z40 A180 G80", "end code=M02"),
+        ("G34 A135 F1\nG01 X50 Z40 A180 E1\nG80", "end code=M02"),
+        ("G34 Z70 F1\nG01 A135\nG34 X50 Z40 A180\nG80", "end code=M02"),
+        ("G34 A135 F1\nG80", "alarm name=angle_lookahead line=4 rules=E100L-ANG-06"),
+        ("G34 A135 F1\nG00 X50 Z40 A180\nG80", "alarm name=contour_malformed detail=G00 line=5"),
+        ("G34 A135 F1\nX50 Z40 A180 M08\nG80", "alarm name=contour_malformed detail=M08 line=5"),
+        ("G34 A135 F1\nG01 X50 Z40 A180 C1\nG80", "alarm name=contour_malformed detail=C line=5"),
+    ] {
+        ends_with(&definition(lines), &setup, wanted);
+    }
+    let behind = "G00 X60 Z90\nG88 NQ1 D1 H1 M74\nM02\nNQ1 G81\nG00 X30 Z80\nG34 A135 F1 G80\nX50 Z40 A180\n";
+    ends_with(behind, &setup, "alarm name=angle_lookahead line=6 rules=E100L-ANG-06");
+    let read = trace(&definition("G34 A135 F1\nX50 Z40 A180\nG80"), &setup);
+    let legs: Vec<String> = read.iter().map(render).filter(|event| event.starts_with("thread ")).collect();
+    assert!(legs.len() == 2 && legs[0].starts_with("thread x=50 z=70 "), "{legs:?}");
+    assert!(legs[1].starts_with("thread x=50 z=40 "), "{legs:?}");
+    setup.parameters.chamfering = Chamfering::Off;
+    let wanted = "alarm name=angle_underdetermined line=4 rules=E100L-DTAP-01";
+    ends_with(&definition("G34 A135 F1\nX50 Z40 A180\nG80"), &setup, wanted);
+}
+
+/// An angle alone in a leg: what is wrong with it, and in which order that is found.
+#[test]
+fn an_angle_alone_is_refused_in_order() {
+    let setup = Setup::default();
+    let (blind, level) = (
+        "alarm name=angle_lookahead line=2 rules=E100L-ANG-06",
+        "alarm name=angle_no_intersection line=2 rules=E100L-ANG-06",
+    );
+    for (lines, wanted) in [
+        // The lead, look-ahead, the corner, the length, the lead at the end.
+        ("G34 A135\nX9", "alarm name=no_feed line=2 rules=E100L-THRD-04"),
+        ("G34 A135 F0.001 J9\nX9", "alarm name=thread_lead_range line=2 rules=E100L-THRD-04"),
+        ("G34 A90 F1\nX50 Z40", blind),
+        ("G35 A90 F1 E9\nX50 Z40 A270", level),
+        ("G34 A90 F1\nX50 Z40 A180", "alarm name=unspecified detail=length line=2 rules=E100L-G34-04"),
+        ("G35 A135 F1 E9\nX50 Z40 A180", "alarm name=thread_lead_range line=2 rules=E100L-G33-09"),
+        // What the next block may be.
+        ("G34 A135 F1\nX50 A180", blind),
+        ("G34 A135 F1\nA180", blind),
+        ("G34 A135 F1\nG33 X50 Z40 A180", blind),
+        ("G34 A135 F1\nG02 X50 Z40 L99", blind),
+        ("G34 A135 F1\nX50 Z40 A180 T0101", blind),
+        ("G34 A135 F1\nG97 S100 X50 Z40 A180", blind),
+        ("G34 A135 F1\nV1=1 X50 Z40 A180", blind),
+        ("G01 A135 F1\nG34 X50 Z40", blind),
+        ("G34 A135 F1\nG71 X50 Z40 A180 D1 H1 M74", blind),
+        ("G34 A135 F1\nIF [1 EQ 1] N9\nN9", "alarm name=unspecified detail=IF line=3 rules=E100L-ANG-06"),
+        ("G01 G75 A135 L1 F1\nG34 X50 Z40 A180", "alarm name=chamfer_corner line=2 rules=E100L-ANG-07"),
+        ("G01 G75 X50 L1 F1\nG34 A135\nX60 Z40 A180", "alarm name=chamfer_corner line=2 rules=E100L-ANG-07"),
+        ("G01 G75 X50 L1 F1\nA135\nG34 X60 Z40", "alarm name=angle_lookahead line=3 rules=E100L-ANG-06"),
+        // Its faults have its place.
+        ("G34 A135 F1\nX50 Z40 A180 E-1", "alarm name=address_range line=3 rules=E100L-G34-02"),
+        ("G34 A135 F1\nX50 Z40 A180 J1.5", "alarm name=unspecified detail=J line=3 rules=E100L-THRD-06"),
+        (
+            "G34 A135 F1\nX50 Z40 A180 L1",
+            "alarm name=word_without_function detail=L line=3 rules=E100L-ADDR-01",
+        ),
+        ("G34 A135 F1\nG75 X50 Z40 A180 L1", "alarm name=chamfer_not_linear line=3 rules=E100L-CHAM-05"),
+        ("G34 A135 F1\nG01 X50 Z40 A180 C9", "alarm name=angle_overdetermined line=3 rules=E100L-DTAP-01"),
+        ("G01 A135 F1\nG96 S100 G34 X50 Z40 A180", "alarm name=thread_in_constant_speed detail=G34 line=3"),
+        // Only the block behind it may have all three.
+        (
+            "G34 A135 F1\nX50 Z40 A180\nX60 Z30 A135",
+            "alarm name=angle_overdetermined line=4 rules=E100L-DTAP-01",
+        ),
+    ] {
+        ends_with(&format!("G00 X30 Z80\n{lines}\nM02\n"), &setup, wanted);
+    }
+    ends_with("G00 X30 Z80\nG34 A135 F1", &setup, blind);
+}
+
 /// A thread counts from the present point, not from the corner of a chamfer before, and leaves that behind.
 #[test]
 fn a_corner_before_is_forgotten() {

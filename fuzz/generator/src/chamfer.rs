@@ -3,7 +3,7 @@
 use turnspec_oracle::vocabulary::{ChamferLeg, Chamfering, Feature, IncrementalAfterChamfer};
 
 use crate::builder::Builder;
-use crate::geometry::Point;
+use crate::geometry::{Point, meeting_of};
 use crate::program::Item;
 use crate::state::{Axis, Mode};
 
@@ -221,16 +221,9 @@ impl Builder<'_, '_, '_> {
     /// A block with A alone and the block with A, X and Z after it (E100L-ANG-06).
     fn open_pair(&mut self, base: Point, corner: Point) -> Option<(Leg, Leg)> {
         let wanted = self.somewhere_near(corner);
-        let milli = |vector: Point| (vector.angle() * 1_000.0).round() as i64 * 1_000;
-        let (first, second) = (milli(corner.minus(base)), milli(wanted.minus(corner)));
-        let (d1, d2) = (Point::direction(first), Point::direction(second));
+        let (first, second) = (corner.minus(base).milli(), wanted.minus(corner).milli());
         let (mut words, end) = self.straight(base, wanted)?;
-        if d1.cross(d2).abs() < 0.2 {
-            return None;
-        }
-        let along = end.minus(base).cross(d2) / d1.cross(d2);
-        let corner = base.plus(d1.times(along));
-        let corner = Point::of(corner.diameter(), corner.coordinate());
+        let corner = meeting_of(base, first, end, second)?;
         let (arriving, leaving) = (corner.minus(base), end.minus(corner));
         if !bends(Some(arriving), leaving)
             || !self.point_fits(corner)

@@ -54,6 +54,11 @@ impl Point {
         self.x.atan2(self.z).to_degrees()
     }
 
+    /// The same in micro-degrees, to a thousandth of a degree.
+    pub fn milli(self) -> i64 {
+        (self.angle() * 1_000.0).round() as i64 * 1_000
+    }
+
     /// The angle by which the direction turns from this one to another, 0 to 180 degrees.
     pub fn turn(self, other: Self) -> f64 {
         let difference = (other.angle() - self.angle()).abs();
@@ -65,6 +70,17 @@ impl Point {
         let radians = (angle as f64 / 1e6).to_radians();
         Self { z: radians.cos(), x: radians.sin() }
     }
+}
+
+/// Where the line through a point at an angle in micro-degrees meets the line through another one, to the nanometre; none
+/// of lines that are almost parallel.
+pub(crate) fn meeting_of(base: Point, first: i64, end: Point, second: i64) -> Option<Point> {
+    let (d1, d2) = (Point::direction(first), Point::direction(second));
+    if d1.cross(d2).abs() < 0.2 {
+        return None;
+    }
+    let corner = base.plus(d1.times(end.minus(base).cross(d2) / d1.cross(d2)));
+    Some(Point::of(corner.diameter(), corner.coordinate()))
 }
 
 impl Builder<'_, '_, '_> {
@@ -103,7 +119,7 @@ impl Builder<'_, '_, '_> {
     /// Words of a line at an angle with one coordinate, near a wanted point; and where it ends.
     pub(crate) fn inclined(&mut self, base: Point, wanted: Point) -> Option<(Vec<Item>, Point)> {
         let travel = wanted.minus(base);
-        let angle = (travel.angle() * 1_000.0).round() as i64 * 1_000;
+        let angle = travel.milli();
         let direction = Point::direction(angle);
         let by_x = (travel.x.abs() > travel.z.abs()) != self.choices.chance(10);
         let steep = if by_x { direction.x } else { direction.z };

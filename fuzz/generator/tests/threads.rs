@@ -32,6 +32,8 @@ const ALARMS: &[(AlarmName, RuleId)] = &[
     (AlarmName::AddressRange, ADDR_01),
     (AlarmName::AddressRange, G34_02),
     (AlarmName::AddressRange, THRD_07),
+    (AlarmName::AngleLookahead, ANG_06),
+    (AlarmName::AngleNoIntersection, ANG_06),
     (AlarmName::AngleNoIntersection, DTAP_04),
     (AlarmName::AngleNoIntersection, G33_06),
     (AlarmName::AngleOverdetermined, DTAP_01),
@@ -91,12 +93,16 @@ struct Reached {
     deeds: Deeds,
 }
 
+/// Whether an event cuts a thread.
+fn cuts(event: &Event) -> bool {
+    matches!(event.action, Action::Thread { spindle: None, .. })
+}
+
 impl Reached {
     fn add(&mut self, case: &Case) {
         let mut events = Vec::new();
         turnspec_oracle::run(&case.program, &case.setup, &mut |event: &Event| events.push(*event));
         self.programs += 1;
-        let cuts = |event: &Event| matches!(event.action, Action::Thread { spindle: None, .. });
         if !events.iter().any(cuts) {
             return;
         }
@@ -124,7 +130,19 @@ fn deeds(case: &Case, events: &[Event]) -> BTreeSet<&'static str> {
     let mut exits = 0;
     let mut lines: BTreeMap<u32, u64> = BTreeMap::new();
     let mut called = 0;
+    let mut open = None;
     for event in events {
+        if cites(event, ANG_06) {
+            // The corner that a block with A alone finds, and the block behind it.
+            let cut = cuts(event);
+            match open.take() {
+                None => open = Some(cut),
+                Some(false) if cut => drop(deeds.insert("an angle alone before a length")),
+                Some(true) if cut => drop(deeds.insert("an angle alone between lengths")),
+                Some(true) => drop(deeds.insert("an angle alone behind a length")),
+                Some(false) => {}
+            }
+        }
         match event.action {
             Action::Call { .. } => called += 1,
             Action::Return => called -= 1,
@@ -182,6 +200,9 @@ fn programs_with_threads_are_many_and_deep() {
     assert!(ended * 100 > threads * 60, "{ended} of {threads} ended");
     assert!(events > threads * 50 && passes > threads * 12, "{events} events, {passes} of threads");
     deeds.demand(&[
+        ("an angle alone before a length", 35),
+        ("an angle alone behind a length", 20),
+        ("an angle alone between lengths", 35),
         ("a block that cuts more than once", 500),
         ("balanced infeed", 25),
         ("beside a barrier", 40),
@@ -212,15 +233,27 @@ fn programs_with_threads_are_many_and_deep() {
 fn every_rule_and_alarm_of_threads_is_reached() {
     let mut citations = Citations::default();
     let mut details = BTreeSet::new();
+    let mut behind_angles = BTreeSet::new();
     for case in (0..PROGRAMS).map(case_from_seed) {
+        let mut length = false;
         turnspec_oracle::run(&case.program, &case.setup, &mut |event: &Event| {
             citations.event(event);
+            if let Action::Mode { group, code, .. } = event.action
+                && group.as_str() == "motion"
+            {
+                length = ["G34", "G35"].contains(&code.as_str());
+            }
             if let Action::Alarm(alarm) = event.action {
+                if length && event.rules.as_slice().contains(&ANG_06) {
+                    behind_angles.insert(alarm.name);
+                }
                 details.insert((alarm.name, alarm.detail.as_str().to_owned()));
             }
         });
     }
     citations.demand(CITED, ALARMS);
+    let of_lengths = [AlarmName::AngleLookahead, AlarmName::AngleNoIntersection, AlarmName::Unspecified];
+    assert_eq!(behind_angles, BTreeSet::from(of_lengths), "alarms of lengths with an angle alone");
     let met = |(name, detail): &(AlarmName, &str)| details.contains(&(*name, (*detail).to_owned()));
     let never: Vec<_> = DETAILS.iter().filter(|pair| !met(pair)).collect();
     assert!(never.is_empty(), "details that no alarm had: {never:?}");

@@ -106,7 +106,8 @@ impl Plan {
 
     /// Whether an angle is all that it says of its end point (E100L-ANG-06).
     pub fn is_angle_only(&self) -> bool {
-        self.moves && self.motion() <= 1 && self.words.get('A').is_some() && !self.words.has_any("XZ")
+        let line = self.motion() <= 1 || self.is_thread() && matches!(self.motion(), 34 | 35);
+        self.moves && line && self.words.get('A').is_some() && !self.words.has_any("XZ")
     }
 }
 
@@ -193,7 +194,7 @@ pub fn check(words: Words, before: Before, state: &State) -> Outcome<Plan> {
             moves = true;
         }
         None if is_thread => {
-            thread::check_block(&words, motion, state)?;
+            thread::check_block(&words, motion, before.after_angle, state)?;
             has_axis_w(&words, setup)?;
             moves = true;
         }

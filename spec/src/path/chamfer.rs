@@ -4,7 +4,7 @@
 
 use super::element::{Axes, Element, LINEAR, Shape, check_range};
 use super::plane::{Point, Vector, latch};
-use super::target::{Ahead, Origin, angle_end, line_end, next_block, origin};
+use super::target::{Ahead, Origin, angle_end, line_end, next_block, origin, target_of_next};
 use crate::fault::{Outcome, fail};
 use crate::frame::Amounts;
 use crate::modal::Plan;
@@ -45,11 +45,7 @@ pub fn chamfer(plan: &Plan, ahead: &[Ahead], state: &mut State) -> Outcome<Vec<E
     };
     check_range(state.lap.in_program(amounts(corner_point)), corner.axes, state.setup)?;
     state.base = Some(Base { corner: corner_point, whole: !basic });
-    if plan.is_angle_only()
-        && let Some(Ahead { plan: next, .. }) = ahead.first()
-    {
-        state.angle_target = Some(angle_end(next, origin.incremental));
-    }
+    state.angle_target = target_of_next(plan, origin.incremental, ahead);
     let rules = RuleSet::of(&[CHAM_12, corner.rule]).union(end.rules).union(base_rules);
     let readings = end.readings.union(base_readings).union(corner.readings);
     Ok(elements(&corner, rules, readings))

@@ -17,7 +17,7 @@ pub use element::{
 };
 pub use plane::{Point, Vector};
 use straight::straight;
-pub use target::{Ahead, End, Origin, line_end, next_block, origin};
+pub use target::{Ahead, End, Origin, line_end, next_block, origin, target_of_next};
 pub use torque_skip::torque_skip;
 
 use crate::fault::Outcome;

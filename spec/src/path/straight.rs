@@ -1,7 +1,7 @@
 //! G00 and G01 (E100L-G00-01 to -04, E100L-G01-01 to -04), with the C axis (E100L-CAX-02, -05 to -07).
 
 use super::element::{Axes, Element, LINEAR, Shape};
-use super::target::{Ahead, angle_end, line_end, origin};
+use super::target::{Ahead, line_end, origin, target_of_next};
 use crate::fault::{Outcome, fail};
 use crate::frame::Amounts;
 use crate::integer::turn;
@@ -44,11 +44,7 @@ pub fn straight(plan: &Plan, ahead: &[Ahead], state: &mut State) -> Outcome<Vec<
             element.rules = element.rules.with(CAX_06);
         }
     }
-    if plan.is_angle_only()
-        && let Some(Ahead { plan: next, .. }) = ahead.first()
-    {
-        state.angle_target = Some(angle_end(next, origin.incremental));
-    }
+    state.angle_target = target_of_next(plan, origin.incremental, ahead);
     Ok(vec![element])
 }
 

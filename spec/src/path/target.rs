@@ -123,6 +123,12 @@ pub fn angle_end(next: &Plan, base: Point) -> Point {
     (base.0 + next.words.get('X').unwrap_or(0), base.1 + next.words.get('Z').unwrap_or(0))
 }
 
+/// The end point that an angle-only block leaves to the block after it.
+pub fn target_of_next(plan: &Plan, base: Point, ahead: &[Ahead]) -> Option<Point> {
+    let Ahead { plan: next, .. } = ahead.first().filter(|_| plan.is_angle_only())?;
+    Some(angle_end(next, base))
+}
+
 /// E100L-ANG-05, E100L-ANG-06: the next block lacks the data of the corner.
 fn lacks_data(plan: &Plan) -> Fault {
     Fault::new(AlarmName::AngleLookahead, if plan.is_chamfer() { ANG_05 } else { ANG_06 })
@@ -130,7 +136,8 @@ fn lacks_data(plan: &Plan) -> Fault {
 
 /// The block after one that needs it, if it is a line of the turning plane and nothing more.
 ///
-/// G80 and E have passed their checks in definitions of LAP alone.
+/// Behind an angle alone it may be a leg of a thread too (E100L-ANG-06). G80, and E but in a leg, have passed their checks
+/// in definitions of LAP alone.
 pub fn next_block<'p>(plan: &Plan, ahead: &'p [Ahead]) -> Outcome<(&'p Plan, Place)> {
     let Some(Ahead { plan: next, place }) = ahead.first() else { return Err(lacks_data(plan)) };
     let chamfer = plan.is_chamfer();
@@ -139,16 +146,18 @@ pub fn next_block<'p>(plan: &Plan, ahead: &'p [Ahead]) -> Outcome<(&'p Plan, Pla
         // E100L-ANG-07: only corners between two lines.
         return Err(Fault::new(AlarmName::ChamferCorner, ANG_07));
     }
-    let g_fits = next.words.g.iter().all(|code| matches!(code, 0 | 1 | 75 | 76 | 80 | 90 | 91 | 94 | 95));
+    let leg = matches!(motion, 34 | 35);
+    let g_fits =
+        next.words.g.iter().all(|code| matches!(code, 0 | 1 | 34 | 35 | 75 | 76 | 80 | 90 | 91 | 94 | 95));
     let fits = |other: &crate::modal::Other| match other.address {
-        Some(Address::Letter(letter)) => b"XZALSE".contains(&letter),
+        Some(Address::Letter(letter)) => b"XZALSE".contains(&letter) || leg && matches!(letter, b'J' | b'C'),
         _ => false,
     };
     let others_fit = next.words.others.iter().all(fits);
     // E100L-ANG-06: an angle alone needs a whole line to meet.
     let complete = "XZA".chars().all(|letter| next.words.get(letter).is_some());
     let enough = if plan.is_angle_only() { complete } else { next.words.has_any("XZA") };
-    if motion > 1 || !g_fits || !others_fit || !enough {
+    if motion > 1 && !leg || !g_fits || !others_fit || !enough {
         return Err(lacks_data(plan));
     }
     Ok((next, *place))

@@ -227,7 +227,12 @@ impl<'a> Channel<'a> {
                 path::torque_skip(plan, &mut self.state, &mut stream.emissions)?;
             }
             _ if plan.cutter.is_some() => {}
-            None if plan.is_thread() => thread::cut(plan, &mut self.state, &mut stream.emissions)?,
+            None if plan.is_thread() => {
+                let lead = thread::lead_of_block(&self.state)?;
+                // The look-ahead of an angle alone comes behind the lead, before everything else of the leg.
+                let ahead = self.look_ahead(plan)?;
+                thread::cut(plan, lead, &ahead, &mut self.state, &mut stream.emissions)?;
+            }
             None if contour::has_own_motions(plan) => {
                 contour::carry_out(plan, &mut self.state, &mut stream.emissions)?;
             }

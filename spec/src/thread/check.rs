@@ -6,7 +6,7 @@ use crate::fault::{Fault, Outcome, fail};
 use crate::modal::{Before, Plan, Words};
 use crate::state::{Modes, State};
 use crate::vocabulary::rule_ids::*;
-use crate::vocabulary::{AlarmName, Label};
+use crate::vocabulary::{AlarmName, Chamfering, Label, Setup};
 
 /// The first word of thread cutting of a block, in written order.
 fn code_of(words: &Words) -> Option<u16> {
@@ -67,10 +67,10 @@ fn data(step: i64, height: i64, allowance: char, words: &Words, state: &State) -
     Ok(())
 }
 
-/// Check 4 of a block that cuts a thread in a motion mode.
-pub fn check_block(words: &Words, motion: u16, state: &State) -> Outcome<()> {
+/// Check 4 of a block that cuts a thread in a motion mode. `after_angle`: the block before had an angle alone.
+pub fn check_block(words: &Words, motion: u16, after_angle: bool, state: &State) -> Outcome<()> {
     if matches!(motion, 34 | 35) {
-        leg(words)?
+        leg(words, after_angle, state.setup)?
     } else {
         single_pass(words, motion, state)?
     }
@@ -97,11 +97,13 @@ fn single_pass(words: &Words, motion: u16, state: &State) -> Outcome<()> {
 }
 
 /// E100L-G34-01, E100L-G34-02, and what an angle may stand with (E100L-DTAP-01).
-fn leg(words: &Words) -> Outcome<()> {
+fn leg(words: &Words, after_angle: bool, setup: &Setup) -> Outcome<()> {
     let (x, z) = (words.get('X').is_some(), words.get('Z').is_some());
+    // E100L-ANG-06.
+    let alone = setup.parameters.chamfering == Chamfering::AnyAngle;
     match words.get('A') {
-        Some(_) if x && z => fail(AlarmName::AngleOverdetermined, DTAP_01),
-        Some(_) if !x && !z => fail(AlarmName::AngleUnderdetermined, DTAP_01),
+        Some(_) if x && z && !after_angle => fail(AlarmName::AngleOverdetermined, DTAP_01),
+        Some(_) if !x && !z && !alone => fail(AlarmName::AngleUnderdetermined, DTAP_01),
         None if !x && !z => fail(AlarmName::WordMissing, G34_01),
         _ if is_negative(words, 'E') => fail(AlarmName::AddressRange, G34_02),
         _ => Ok(()),

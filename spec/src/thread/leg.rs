@@ -5,16 +5,23 @@ use super::motion::{Cited, Step, Thread, Work, carry_out};
 use crate::emission::Emission;
 use crate::fault::{Fault, Outcome};
 use crate::modal::Plan;
-use crate::path::{Axes, End, Origin, Point, line_end};
+use crate::path::{Ahead, Axes, End, Origin, Point, line_end, target_of_next};
 use crate::state::State;
 use crate::vocabulary::rule_ids::*;
 use crate::vocabulary::{AlarmName, LeadAxis};
 
 /// Cuts it, and stays at its end.
-pub fn cut(plan: &Plan, lead: Lead, state: &mut State, emissions: &mut Vec<Emission>) -> Outcome<()> {
+pub fn cut(
+    plan: &Plan,
+    lead: Lead,
+    ahead: &[Ahead],
+    state: &mut State,
+    emissions: &mut Vec<Emission>,
+) -> Outcome<()> {
     let words = &plan.words;
     let origin = Origin::present(state);
-    let end = line_end(plan, origin, None, &[])?;
+    let end = line_end(plan, origin, state.angle_target.take(), ahead)?;
+    state.angle_target = target_of_next(plan, origin.incremental, ahead);
     // E100L-G34-02.
     let change = words.get('E').unwrap_or(0);
     let lead = lead.changing(if plan.motion() == 35 { -change } else { change });

@@ -22,12 +22,13 @@ pub use compound::Compound;
 pub use flank::Flanks;
 pub use infeed::{Depth, Infeed};
 pub use kept::Kept;
-pub use lead::measure;
+pub use lead::{Lead, measure, of_block as lead_of_block};
 pub use motion::Cited;
 
 use crate::emission::Emission;
 use crate::fault::Outcome;
 use crate::modal::Plan;
+use crate::path::Ahead;
 use crate::state::State;
 
 /// Whether a motion code is one of thread cutting.
@@ -40,13 +41,18 @@ pub fn feed_is_lead(plan: &Plan) -> bool {
     plan.is_compound() || plan.one_shot.is_none() && plan.cycle.is_none() && is_mode(plan.motion())
 }
 
-/// The motions of a block that cuts a thread in G31 to G35.
-pub fn cut(plan: &Plan, state: &mut State, emissions: &mut Vec<Emission>) -> Outcome<()> {
-    let lead = lead::of_block(state)?;
+/// The motions of a block that cuts a thread in G31 to G35, with its lead. `ahead` are the blocks that look-ahead has read.
+pub fn cut(
+    plan: &Plan,
+    lead: Lead,
+    ahead: &[Ahead],
+    state: &mut State,
+    emissions: &mut Vec<Emission>,
+) -> Outcome<()> {
     // It counts from the present point: a corner of before (E100L-CHAM-13) is left behind.
     state.base = None;
     match plan.motion() {
-        34 | 35 => leg::cut(plan, lead, state, emissions),
+        34 | 35 => leg::cut(plan, lead, ahead, state, emissions),
         _ => cycle::cut(plan, lead, state, emissions),
     }
 }

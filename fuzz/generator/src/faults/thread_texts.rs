@@ -13,7 +13,7 @@ pub(super) const FAULTS: &[(usize, Fault)] = &[
     (5, Fault::StepLimit),
     (4, Fault::AngleOverdetermined),
     (3, Fault::AngleUnderdetermined),
-    (4, Fault::AngleNoIntersection),
+    (5, Fault::AngleNoIntersection),
     (4, Fault::CompensationNotAllowed),
     (3, Fault::WordWithoutFunction),
     (3, Fault::NoFeed),
@@ -21,7 +21,7 @@ pub(super) const FAULTS: &[(usize, Fault)] = &[
     (2, Fault::GCodesConflict),
     (2, Fault::ChamferNotLinear),
     (2, Fault::ChamferCorner),
-    (2, Fault::AngleLookahead),
+    (4, Fault::AngleLookahead),
     (3, Fault::TravelLimitNegative),
     (3, Fault::TravelLimitPositive),
     (2, Fault::CoordinateRange),
@@ -70,6 +70,39 @@ pub(super) const FORMS: &[(Fault, &[&str])] = &[
     ]),
     (Fault::AngleLookahead, &["G01 A30 F2\nG33 X5 Z9", "G01 A30 F2\nG71 X5 Z9 D1 H1 M74", "G01 A30 F2\nG35 Z9", "G01 A30 F2\nG32 X5"]),
     (Fault::StepLimit, &["G91 G71 X-5 Z-9 D1 H3 F2 M74", "G91 G72 X-9 Z-5 D1 H3 F2 Q3", "G91 G71 X-9 Z-5 D1 H1 Q9999 F2 M74"]),
+];
+
+/// Blocks with A alone, and what stands behind them, where chamfering is set to any angle (E100L-ANG-06).
+#[rustfmt::skip]
+pub(super) const BEHIND_AN_ANGLE: &[(Fault, &[&str])] = &[
+    (Fault::AngleLookahead, &[
+        "G34 A30 F2\nX5 Z9", "G35 A30 F2\nX5 A90", "G34 A30 F2\nG35 Z9 A10", "G34 A30 F2\nA60", "G35 A30 F2\nG00 X5 Z9",
+        "G34 A30 F2\nG33 X5 Z9 A60", "G35 A30 F2\nG32 X5 Z9 A60", "G34 A30 F2\nG02 X5 Z9 L99", "G34 A30 F2\nX5 Z9 A60 T0101",
+        "G35 A30 F2\nG97 S100 X5 Z9 A60", "G34 A30 F2\nV1=5 X5 Z5 A60", "G35 A30 F2\nM08", "G34 A30 F2\nG04 F1", "G34 A30 F2\nS100",
+        "G34 A30 F2\nG71 X5 Z9 A60 D1 H1 M74", "G35 A30 F2\nG50 X1", "G01 A30 F2\nG34 X5 Z9", "G00 A30\nG35 X5 A60 F2",
+        "G01 A30 F2\nG34 A60", "G34 A30 F2\nG01 X5 Z9 A60 T1",
+    ]),
+    (Fault::AngleNoIntersection, &[
+        "G34 A30 F2\nX5 Z9 A30", "G35 A30 F2\nX5 Z9 A210", "G34 A30 F2\nG01 X5 Z9 A-150", "G01 A0 F2\nG34 X5 Z9 A180",
+        "G00 A90\nG35 X5 Z9 A90 F2", "G34 A45 E1 F2 C90\nX5 Z9 A-135 M27", "G35 A-90 F2\nG00 X5 Z9 A270",
+    ]),
+    (Fault::AngleOverdetermined, &[
+        "G34 A30 F2\nG01 X5 Z9 A60 C5", "G01 G91 A45 F2\nG34 X-4 Z-9 A0\nX-1 Z-1 A5", "G35 G91 A45 F2\nX-4 Z-9 A180\nG01 X-1 Z-1 A5",
+    ]),
+    (Fault::AddressRange, &["G34 A30 F2\nX5 Z9 A60 E-1", "G01 A30 F2\nG35 X5 Z9 A60 C-1", "G34 A30 F2 E-1\nX5 Z9 A60", "G35 A30 F2\nX5 Z9 A60 J0"]),
+    (Fault::WordWithoutFunction, &["G34 A30 F2\nX5 Z9 A60 L1", "G01 A30 F2\nG34 X5 Z9 A60 I1", "G34 A30 F2 K1\nX5 Z9 A60", "G35 A30 F2\nG01 X5 Z9 A60 J2"]),
+    (Fault::WordMissing, &["G34 A30 F2\nE1", "G01 A30 F2\nG34 J2", "G35 A30 F2\nG33 X5"]),
+    (Fault::NoFeed, &["G94 F200\nG34 A30\nX5 Z9 A60", "G94 F200\nG95 G35 A30\nX5 Z9", "G94 G01 F200 A30\nG95 G34 X5 Z9 A30.5"]),
+    (Fault::ThreadInConstantSpeed, &["G34 A30 F2\nG96 S100 X5 Z9 A60", "G96 S100\nG35 A30 F2", "G01 A30 F2\nG96 S100 G34 X5 Z9 A60"]),
+    (Fault::ChamferNotLinear, &["G34 A30 F2\nG75 X5 Z9 A60 L1", "G35 G76 A30 L1 F2", "G00 A30\nG34 G75 X5 Z9 A60 L1"]),
+    (Fault::ChamferCorner, &[
+        "G01 G75 A30 L1 F2\nG34 X5 Z9 A60", "G91 G01 G76 X50 L1 F2\nG35 A60\nX5 Z9 A5", "G01 G76 A30 L1 F2\nG35 X5 Z9 A60 E1",
+    ]),
+    (Fault::Unspecified, &[
+        "G34 A30 F2\nX5 Z9 A60 J1.5", "G34 A90 F2\nG91 X8 Z-9 A180", "G91 G35 A0 F2 M27\nX-4 Z-9 A90", "G34 A30 F2\nIF[1] N5",
+        "G35 A30 F2\nGOTO N5", "G34 A30 F2\nG205", "G01 A30 F2\nMODOUT", "M110\nG34 A30 F2\nX5 Z9 A60",
+        "G91 G01 A45 F2\nG34 X8 Z-9 A0 M27",
+    ]),
 ];
 
 /// Blocks that the manual does not describe, and what has to be in front of them.
@@ -128,4 +161,5 @@ pub(super) const IN_COMPENSATION: &[&str] = &[
 pub(super) const BESIDE_COMPENSATION: &[&str] = &[
     "G40 G33 X5 Z5 F2", "G40 G71 X5 Z5 D1 H2 F2", "G34 Z5 F2", "G35 X5 Z5 F2", "G40 G34 Z5 F2", "G40 G32", "G40\nG33 X5 Z5 F2",
     "G40\nG34 Z5 F2", "G40\nG72 X5 Z5 D1 H2 F2", "G34\nG42 Z5 F2",
+    "G34 A5 F2\nX5 Z9 A60", "G01 A5 F2\nG35 X5 Z9 A60",
 ];

@@ -34,6 +34,8 @@ impl Builder<'_, '_, '_> {
             Fault::CompensationNotAllowed => self.thread_in_compensation(),
             Fault::Unspecified if self.choices.chance(12) => self.thread_beside_compensation(),
             _ if self.state.compensation.is_on() => false,
+            Fault::AngleUnderdetermined if self.may_be_open() => false,
+            _ if let Some(list) = self.behind_an_angle(fault) => self.one_of(list),
             Fault::Unspecified if self.choices.chance(15) => self.one_of(texts::OPENING_TAPERS),
             Fault::Unspecified => {
                 if self.choices.chance(40) {
@@ -57,6 +59,20 @@ impl Builder<'_, '_, '_> {
                 None => false,
             },
         }
+    }
+
+    /// Texts of a fault behind a block with A alone, now and then where there may be one.
+    fn behind_an_angle(&mut self, fault: Fault) -> Option<&'static [&'static str]> {
+        if !self.may_be_open() {
+            return None;
+        }
+        let often = match fault {
+            Fault::AngleLookahead => 75,
+            Fault::AngleNoIntersection => 50,
+            _ => 20,
+        };
+        let (_, list) = texts::BEHIND_AN_ANGLE.iter().find(|(known, _)| *known == fault)?;
+        self.choices.chance(often).then_some(*list)
     }
 
     /// A thread while compensation is in force.

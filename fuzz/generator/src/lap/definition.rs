@@ -5,6 +5,7 @@ use turnspec_oracle::vocabulary::Feature;
 use super::place::Place;
 use super::plan::{Element, Form, Kind, Outline, Plan};
 use crate::builder::Builder;
+use crate::geometry::Point;
 use crate::program::{Block, Item, Line, Word};
 use crate::state::{Axis, Mode};
 
@@ -16,12 +17,14 @@ struct Writing<'w> {
     finished: bool,
     /// Program coordinates X and Z that were reached.
     at: [i64; 2],
+    /// Where the block before begins, and the angle of this one in micro-degrees, if that one has A alone.
+    open: Option<([i64; 2], i64)>,
 }
 
 impl Builder<'_, '_, '_> {
     /// A definition with this name.
     pub(super) fn definition(&mut self, name: &str, plan: &Plan, place: &Place, finished: bool) {
-        let mut writing = Writing { plan, place, finished, at: [0, 0] };
+        let mut writing = Writing { plan, place, finished, at: [0, 0], open: None };
         let head = Item::g(if plan.across { 82 } else { 81 });
         let mut name = Some(name.to_owned());
         if let Some(blank) = &plan.blank {
@@ -77,7 +80,8 @@ impl Builder<'_, '_, '_> {
                 items.push(self.incremental_word(!self.state.incremental));
             }
             if writing.plan.kind == Kind::Thread {
-                self.leg_of_contour(writing, element, number == 0, &mut items);
+                let next = outline.elements.get(number + 1);
+                self.leg_of_contour(writing, element, next, number == 0, &mut items);
             } else {
                 self.element_of_contour(writing, element, blank, &mut items);
             }
@@ -216,12 +220,13 @@ impl Builder<'_, '_, '_> {
         &mut self,
         writing: &mut Writing<'_>,
         element: &Element,
+        next: Option<&Element>,
         first: bool,
         items: &mut Vec<Item>,
     ) {
         let mode = if first { Mode::GrowingThread } else { self.leg_mode() };
         self.select(mode, items);
-        self.axes_of_contour(writing, element.to, false, items);
+        self.target_of_leg(writing, element, next, items);
         if mode != Mode::Linear && writing.plan.across && self.allows(Feature::Aux) {
             // The lead along X.
             items.push(Item::m(27));
@@ -245,6 +250,37 @@ impl Builder<'_, '_, '_> {
             let starts = self.choices.within(1, 4);
             items.push(Item::whole("J", starts));
         }
+    }
+
+    /// Words of the end of a leg: A alone now and then, with A, X and Z in the block behind it (E100L-ANG-06).
+    fn target_of_leg(
+        &mut self,
+        writing: &mut Writing<'_>,
+        element: &Element,
+        next: Option<&Element>,
+        items: &mut Vec<Item>,
+    ) {
+        if let Some((from, angle)) = writing.open.take() {
+            writing.at = from;
+            self.axes_of_contour(writing, element.to, true, items);
+            items.push(self.inclination(angle));
+            return;
+        }
+        let at = |[x, z]: [i64; 2]| Point::of(x, z);
+        let (from, corner) = (at(writing.at), at(writing.place.point(element.to)));
+        if let Some(next) = next
+            && self.may_be_open()
+            && self.choices.chance(30)
+        {
+            let end = at(writing.place.point(next.to));
+            let [first, second] = [corner.minus(from), end.minus(corner)].map(Point::milli);
+            if Point::direction(first).cross(Point::direction(second)).abs() > 0.03 {
+                items.push(self.inclination(first));
+                writing.open = Some((writing.at, second));
+                return;
+            }
+        }
+        self.axes_of_contour(writing, element.to, false, items);
     }
 
     fn leg_mode(&mut self) -> Mode {

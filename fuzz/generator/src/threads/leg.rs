@@ -7,6 +7,11 @@ use crate::geometry::Point;
 use crate::program::Item;
 use crate::state::{Axis, Mode};
 
+/// Whether it is a mode of lengths.
+pub(super) fn is_length(mode: Mode) -> bool {
+    matches!(mode, Mode::GrowingThread | Mode::ShrinkingThread)
+}
+
 impl Builder<'_, '_, '_> {
     /// A few lengths, with a positioning in front of them.
     pub(super) fn chain_of_threads(&mut self) {
@@ -15,7 +20,8 @@ impl Builder<'_, '_, '_> {
             self.position(point);
         }
         for _ in 0..=self.choices.below(4) {
-            if !self.attempt(Self::length_of_thread) {
+            let open = self.may_be_open() && self.choices.chance(30);
+            if !self.attempt(if open { Self::open_lengths } else { Self::length_of_thread }) {
                 self.begin();
                 return self.line(Mode::Rapid);
             }
@@ -26,11 +32,8 @@ impl Builder<'_, '_, '_> {
     fn length_of_thread(&mut self) -> bool {
         let mut items = Vec::new();
         self.beside_thread(&mut items);
-        let along_x = self.choices.chance(22) && self.allows(Feature::Aux);
-        if along_x || self.choices.chance(5) && self.allows(Feature::Aux) {
-            items.push(Item::m(if along_x { 27 } else { 26 }));
-        }
-        let chained = matches!(self.state.mode, Mode::GrowingThread | Mode::ShrinkingThread);
+        let along_x = self.lead_axis(&mut items);
+        let chained = is_length(self.state.mode);
         let code = self.choices.pick(&[34, 35]);
         if self.state.mode != Mode::of_thread(code) || self.choices.chance(25) {
             items.insert(0, Item::g(code));
@@ -63,6 +66,15 @@ impl Builder<'_, '_, '_> {
         self.state.after_cutting = true;
         self.push(items);
         true
+    }
+
+    /// M27, or M26 now and then; whether the lead is that along X.
+    pub(super) fn lead_axis(&mut self, items: &mut Vec<Item>) -> bool {
+        let along_x = self.choices.chance(22) && self.allows(Feature::Aux);
+        if along_x || self.choices.chance(5) && self.allows(Feature::Aux) {
+            items.push(Item::m(if along_x { 27 } else { 26 }));
+        }
+        along_x
     }
 
     /// Words of a target that travels along the lead axis.

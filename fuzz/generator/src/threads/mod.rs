@@ -1,12 +1,13 @@
 //! Thread cutting: what the generator believes of it, and which blocks it writes.
 //!
 //! A thread begins with blocks that allow it ([`ready`]) and with a positioning. [`single`] writes passes of G31, G32
-//! and G33, one or many, in loops too; [`leg`] lengths of G34 and G35; [`compound`] whole threads of G71 and G72.
+//! and G33, one or many, in loops too; [`leg`] lengths of G34 and G35, [`open`] those with A alone; [`compound`] whole threads of G71 and G72.
 //! [`pass`] foresees where a pass goes and whether the control would refuse it, [`words`] writes what all have in
 //! common.
 
 mod compound;
 mod leg;
+mod open;
 mod pass;
 mod ready;
 mod setup;

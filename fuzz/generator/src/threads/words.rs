@@ -34,7 +34,7 @@ impl Builder<'_, '_, '_> {
     }
 
     /// An S word of a spindle that turns.
-    fn turning_speed(&mut self) -> Item {
+    pub(super) fn turning_speed(&mut self) -> Item {
         let speed = self.choices.pick(&[300, 500, 1_000, 2_000, 1, 60, 65_535]);
         self.state.threads.note_speed(false, speed);
         self.whole("S", speed)
@@ -69,7 +69,7 @@ impl Builder<'_, '_, '_> {
             self.thread_code(code, items);
         }
         if compound && (steady || self.choices.chance(50)) {
-            let code = self.choices.pick(&[32, 33, 34]);
+            let code = self.choices.pick(&[32, 33, 33, 34]);
             self.thread_code(code, items);
         }
     }
