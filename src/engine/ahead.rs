@@ -9,6 +9,7 @@ use super::fault::Fault;
 use super::planted::{self, Bug};
 use super::slot::Slot;
 use super::task::Turn;
+use super::thread;
 use super::words::{Address, Words};
 
 /// What a block needs from the next one.
@@ -87,7 +88,7 @@ impl Interpreter<'_> {
         if need.chamfer && (plan.motion != 1 || plan.one_shot == OneShot::BeginConversion) {
             return Fault::raise(AlarmName::ChamferCorner, ANG_07);
         }
-        if plan.motion > 1 || !is_fit(words, need, defines) {
+        if !is_fit(words, plan.motion, need, defines) {
             return Err(unfit);
         }
         self.fault_place = None;
@@ -95,15 +96,18 @@ impl Interpreter<'_> {
     }
 }
 
-/// Whether a block holds what a corner needs and nothing that disturbs it.
-fn is_fit(words: &Words, need: Need, in_contour: bool) -> bool {
+/// Whether a block in a motion mode holds what a corner needs and nothing that disturbs it.
+fn is_fit(words: &Words, motion: u16, need: Need, in_contour: bool) -> bool {
+    // Behind a block with an angle alone a line may be a positioning or a length of thread too.
+    let leg = thread::is_leg_mode(motion) && !need.chamfer;
     let codes = words.g_codes().iter().all(|code| match code {
         1 | 75 | 76 | 90 | 91 | 94 | 95 => true,
-        0 => !need.chamfer,
+        0 | 34 | 35 => !need.chamfer,
         80 => in_contour,
         _ => false,
     });
     let complete = words.present() & CORNER == CORNER;
-    let allowed = ALLOWED | if in_contour { Address::E.bit() } else { 0 };
-    codes && words.present() & !allowed == 0 && words.has_any(CORNER) && (complete || !need.only_angle)
+    let more = if in_contour { Address::E.bit() } else { 0 } | if leg { thread::LEG_WORDS } else { 0 };
+    let allowed = words.present() & !(ALLOWED | more) == 0;
+    (motion <= 1 || leg) && codes && allowed && words.has_any(CORNER) && (complete || !need.only_angle)
 }

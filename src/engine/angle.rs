@@ -230,11 +230,8 @@ impl Interpreter<'_> {
         }
         if let Some(angle) = course.only_angle() {
             let chamfer = plan.one_shot.is_chamfer();
-            let need = Need { chamfer, only_angle: true, place: slot.place, last: words.has_g(80) };
-            self.look_ahead(0, need, self.state.motion, sink)?;
-            let next = Course::of(&self.ahead[0].words, Course::mode(&self.ahead[0].words, incremental));
-            let (corner, beyond) = self.crossing(end.anchor, angle, &next)?;
-            let rule = if plan.one_shot.is_chamfer() { cite::ANG_05 } else { cite::ANG_06 };
+            let (corner, beyond) = self.corner_ahead(slot, (end.anchor, angle), chamfer, sink)?;
+            let rule = if chamfer { cite::ANG_05 } else { cite::ANG_06 };
             end.cites = end.cites.and(cite::ANG_01).and(rule);
             (end.x, end.z) = (true, true);
             end.point = corner;
@@ -253,6 +250,22 @@ impl Interpreter<'_> {
             end.cites = end.cites.and(cites);
         }
         Ok(end)
+    }
+
+    /// The corner of the line of a block with only an angle and that of the next block, which is read ahead, and the
+    /// end of the next one.
+    pub(super) fn corner_ahead(
+        &mut self,
+        slot: &Slot,
+        (anchor, angle): (Point, i64),
+        chamfer: bool,
+        sink: &mut impl Sink,
+    ) -> Result<(Point, Point), Fault> {
+        let need = Need { chamfer, only_angle: true, place: slot.place, last: slot.words.has_g(80) };
+        self.look_ahead(0, need, self.state.motion, sink)?;
+        let next = &self.ahead[0].words;
+        let course = Course::of(next, Course::mode(next, self.state.incremental));
+        self.crossing(anchor, angle, &course)
     }
 
     /// The corner of a line with only an angle and the next one, and the end of the next one.

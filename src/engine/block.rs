@@ -227,7 +227,7 @@ impl Interpreter<'_> {
             if arc {
                 check_arc(words)?;
             } else if threads {
-                self.check_thread(words, motion)?;
+                self.check_thread(words, motion, after_angle)?;
             } else if contours {
                 self.check_contour(words, motion)?;
             } else {

@@ -82,7 +82,7 @@ impl Interpreter<'_> {
             OneShot::GrooveAcross | OneShot::GrooveAlong => self.groove(words, plan.one_shot, sink)?,
             OneShot::TapRight | OneShot::TapLeft => self.tap(words, plan.one_shot, sink)?,
             _ if plan.cycle.acts() => self.carry_out_cycle(words, plan.cycle, sink)?,
-            _ if plan.cuts_thread() => self.thread(words, plan.motion, sink)?,
+            _ if plan.cuts_thread() => self.thread(slot, plan.motion, sink)?,
             _ if plan.moves && self.compensation.is_of_cutter() => self.move_cutter(slot, plan, sink)?,
             _ if plan.moves && contour::is_mode(plan.motion) => self.cut_contour(words, plan.motion, sink)?,
             _ if plan.moves && plan.motion >= 2 => self.arc(words, plan.motion, sink)?,

@@ -60,7 +60,7 @@ impl Interpreter<'_> {
         for address in parsed.items.iter().filter_map(Item::address) {
             let code = if address == Address::M { m.next().unwrap_or_default() } else { 0 };
             let of_thread = definition.cuts_thread()
-                && (code == 27 || address == Address::C && matches!(motion, 34 | 35));
+                && (code == 27 || address == Address::C && thread::is_leg_mode(motion));
             if UNFIT & address.bit() != 0 && !of_thread {
                 let detail = match address {
                     Address::M => Label::of_code(b'M', code),
@@ -96,7 +96,7 @@ impl Interpreter<'_> {
         } else if plan.motion == 0 && plan.compensation != Change::Ends {
             return Err(malformed(rule, const { Label::new("G00") }));
         }
-        if thread::is_mode(plan.motion) && !(definition.cuts_thread() && matches!(plan.motion, 34 | 35)) {
+        if thread::is_mode(plan.motion) && !(definition.cuts_thread() && thread::is_leg_mode(plan.motion)) {
             return Err(malformed(rule, Label::of_code(b'G', plan.motion)));
         }
         Ok(())

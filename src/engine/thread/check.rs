@@ -1,7 +1,7 @@
 //! What is checked of a thread before its block is carried out (execution of threads, 3).
 
 use turnspec_oracle::vocabulary::rule_ids as rules;
-use turnspec_oracle::vocabulary::{AlarmName, Label};
+use turnspec_oracle::vocabulary::{AlarmName, Chamfering, Label};
 
 use crate::engine::Interpreter;
 use crate::engine::block::OneShot;
@@ -80,11 +80,16 @@ impl Interpreter<'_> {
     }
 
     /// Check 4 of a thread block.
-    pub(in crate::engine) fn check_thread(&self, words: &Words, motion: u16) -> Result<(), Fault> {
+    pub(in crate::engine) fn check_thread(
+        &self,
+        words: &Words,
+        motion: u16,
+        after_angle: bool,
+    ) -> Result<(), Fault> {
         if is_pass_mode(motion) {
             self.check_pass(words, motion)?;
         } else {
-            check_leg(words)?;
+            self.check_leg(words, after_angle)?;
         }
         check_divisor(words)?;
         if words.get(Address::C).unwrap_or_default() < 0 {
@@ -115,6 +120,23 @@ impl Interpreter<'_> {
         Ok(())
     }
 
+    fn check_leg(&self, words: &Words, after_angle: bool) -> Result<(), Fault> {
+        let (x, z, angle) = (words.has(Address::X), words.has(Address::Z), words.has(Address::A));
+        if angle && x && z && !after_angle {
+            return Fault::raise(AlarmName::AngleOverdetermined, rules::DTAP_01);
+        }
+        if angle && !x && !z && self.setup.parameters.chamfering != Chamfering::AnyAngle {
+            return Fault::raise(AlarmName::AngleUnderdetermined, rules::DTAP_01);
+        }
+        if !x && !z && !angle {
+            return Fault::raise(AlarmName::WordMissing, rules::G34_01);
+        }
+        if words.get(Address::E).unwrap_or_default() < 0 {
+            return Fault::raise(AlarmName::AddressRange, rules::G34_02);
+        }
+        Ok(())
+    }
+
     /// Check 6 of a block in a thread mode or with a compound cycle; `cuts` tells whether it cuts a thread.
     pub(in crate::engine) fn check_thread_compensation(
         &self,
@@ -140,23 +162,6 @@ impl Interpreter<'_> {
         }
         if cuts { undefined } else { Ok(()) }
     }
-}
-
-fn check_leg(words: &Words) -> Result<(), Fault> {
-    let (x, z, angle) = (words.has(Address::X), words.has(Address::Z), words.has(Address::A));
-    if angle && x && z {
-        return Fault::raise(AlarmName::AngleOverdetermined, rules::DTAP_01);
-    }
-    if angle && !x && !z {
-        return Fault::raise(AlarmName::AngleUnderdetermined, rules::DTAP_01);
-    }
-    if !x && !z {
-        return Fault::raise(AlarmName::WordMissing, rules::G34_01);
-    }
-    if words.get(Address::E).unwrap_or_default() < 0 {
-        return Fault::raise(AlarmName::AddressRange, rules::G34_02);
-    }
-    Ok(())
 }
 
 /// J is a whole number (E100L-THRD-06); one that is not was taken as 0.

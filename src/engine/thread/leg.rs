@@ -6,8 +6,10 @@ use turnspec_oracle::vocabulary::{LeadAxis, RuleSet, Sink};
 
 use crate::engine::Interpreter;
 use crate::engine::angle::Course;
+use crate::engine::arithmetic::plane::Point;
 use crate::engine::fault::Fault;
 use crate::engine::planted::{self, Bug};
+use crate::engine::slot::Slot;
 use crate::engine::words::{Address, Words};
 
 use super::lead::Lead;
@@ -16,12 +18,9 @@ use super::unspecified;
 
 impl Interpreter<'_> {
     /// A thread block in G34 or G35.
-    pub(super) fn thread_leg(
-        &mut self,
-        words: &Words,
-        motion: u16,
-        sink: &mut impl Sink,
-    ) -> Result<(), Fault> {
+    pub(super) fn thread_leg(&mut self, slot: &Slot, motion: u16, sink: &mut impl Sink) -> Result<(), Fault> {
+        let words = &slot.words;
+        let angle_target = self.state.angle_target.take();
         let start_lead = self.begin_thread()?;
         let axis = if words.has_m(27) { LeadAxis::X } else { LeadAxis::Z };
         let axes = self.thread_axes(axis);
@@ -31,8 +30,7 @@ impl Interpreter<'_> {
         let counts = !goes_on || planted::is(Bug::AngleInChain);
         let start = words.get(Address::C).filter(|_| counts).unwrap_or_default();
         let present = self.present();
-        let course = Course::of(words, self.state.incremental);
-        let end = course.end(present, present, &mut self.slow)?;
+        let (end, course) = self.end_of_leg(slot, present, angle_target, sink)?;
         let ((from, _), (to, _)) = (axes.split(present), axes.split(end));
         if from == to {
             return Err(unspecified(G34_04, "length"));
@@ -46,16 +44,45 @@ impl Interpreter<'_> {
             end,
             tested: [Address::X, Address::Z].map(|address| angle || words.has(address)),
             part: None,
-            cited: self.leg_cites(words, thread),
+            cited: self.leg_cites(words, thread).and(course),
         };
         self.make(&step, sink)
     }
 
+    /// Where a leg ends, and the rules of its A word.
+    fn end_of_leg(
+        &mut self,
+        slot: &Slot,
+        present: Point,
+        angle_target: Option<(i64, i64)>,
+        sink: &mut impl Sink,
+    ) -> Result<(Point, RuleSet), Fault> {
+        const OF_CORNER: RuleSet = RuleSet::of(&[ANG_01, ANG_06]);
+        let incremental = self.state.incremental;
+        let course = Course::of(&slot.words, incremental);
+        if let Some(angle) = course.only_angle() {
+            let (corner, beyond) = self.corner_ahead(slot, (present, angle), false, sink)?;
+            self.state.angle_target = Some((beyond.x, beyond.z));
+            return Ok((corner, OF_CORNER));
+        }
+        if let Some((x, z)) = angle_target {
+            let end = if planted::is(Bug::LegFromCorner) {
+                course.end(present, present, &mut self.slow)?
+            } else {
+                Point { x, z }
+            };
+            return Ok((end, OF_CORNER));
+        }
+        let rules = match (slot.words.has(Address::A), incremental) {
+            (false, _) => RuleSet::EMPTY,
+            (true, false) => const { RuleSet::of(&[ANG_01, ANG_02, DTAP_03]) },
+            (true, true) => const { RuleSet::of(&[ANG_01, ANG_02, DTAP_03, DTAP_05]) },
+        };
+        Ok((course.end(present, present, &mut self.slow)?, rules))
+    }
+
     fn leg_cites(&mut self, words: &Words, thread: Thread) -> Cited {
-        let angle = words.has(Address::A);
         self.cited_by_words(words)
-            .and_if(angle, const { RuleSet::of(&[ANG_01, ANG_02, DTAP_03]) })
-            .and_if(angle && self.state.incremental, const { RuleSet::of(&[DTAP_05]) })
             .and(const { RuleSet::of(&[G34_01, G34_04]) })
             .by_if(thread.axis == LeadAxis::X, self.known.feed_length)
             .and_if(self.state.thread.divisor != 1, const { RuleSet::of(&[THRD_06]) })

@@ -20,6 +20,7 @@ use super::Interpreter;
 use super::block::{OneShot, Plan};
 use super::fault::Fault;
 use super::planted::{self, Bug};
+use super::slot::Slot;
 use super::words::{Address, Words};
 use axis::Axes;
 pub use depths::{Depth, Depths, Heights};
@@ -30,6 +31,11 @@ use single::Cycle;
 /// Whether a motion mode cuts threads.
 pub fn is_mode(motion: u16) -> bool {
     matches!(motion, 31..=35)
+}
+
+/// Whether a motion mode is that of legs.
+pub fn is_leg_mode(motion: u16) -> bool {
+    matches!(motion, 34 | 35)
 }
 
 /// Whether a motion mode is that of single passes.
@@ -50,6 +56,8 @@ const PASS_TAKES: u64 = Address::set(&[
 ]);
 const LEG_TAKES: u64 =
     Address::set(&[Address::X, Address::Z, Address::A, Address::E, Address::J, Address::C]);
+/// The words that a block in a leg mode may have besides those of lines when it is read ahead.
+pub const LEG_WORDS: u64 = Address::set(&[Address::E, Address::J, Address::C]);
 const COMPOUND_TAKES: u64 = Address::set(&[
     Address::X,
     Address::Z,
@@ -112,7 +120,7 @@ impl Kept {
     pub fn select_motion(&mut self, code: u16) {
         let stays = planted::is(Bug::SameCodeGoesOn) && matches!(code, 31..=33);
         self.cycle = self.cycle.filter(|_| stays);
-        self.chain &= matches!(code, 34 | 35);
+        self.chain &= is_leg_mode(code);
     }
 
     /// J.
@@ -156,11 +164,11 @@ impl Kept {
 
 impl Interpreter<'_> {
     /// A block in a thread mode that has a word of the thread.
-    pub(super) fn thread(&mut self, words: &Words, motion: u16, sink: &mut impl Sink) -> Result<(), Fault> {
+    pub(super) fn thread(&mut self, slot: &Slot, motion: u16, sink: &mut impl Sink) -> Result<(), Fault> {
         if is_pass_mode(motion) {
-            self.thread_pass(words, motion, sink)
+            self.thread_pass(&slot.words, motion, sink)
         } else {
-            self.thread_leg(words, motion, sink)
+            self.thread_leg(slot, motion, sink)
         }
     }
 

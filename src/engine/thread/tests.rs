@@ -1,8 +1,8 @@
 //! Threads on the engine, beyond the examples of the rule texts.
 
-use turnspec_oracle::vocabulary::notation::fields;
+use turnspec_oracle::vocabulary::notation::{fields, render};
 use turnspec_oracle::vocabulary::{
-    Action, BalancedInfeed, Event, FeedLength, Setup, TaperReference, ThreadShift, UnitSystem,
+    Action, BalancedInfeed, Chamfering, Event, FeedLength, Setup, TaperReference, ThreadShift, UnitSystem,
 };
 
 use crate::engine::run;
@@ -67,6 +67,84 @@ fn a_chamfer_on_the_face_counts_as_its_lead_does() {
     assert_eq!(values(program, &setup, &["lead", "x", "z"]), ["2 22 -1", "2 20 0.5"]);
 }
 
+/// Name, line and rule of the alarm.
+fn alarm(program: &str, setup: &Setup) -> String {
+    let trace = trace(program, setup);
+    let found = trace.iter().find(|event| matches!(event.action, Action::Alarm(_))).map(render);
+    let value = |key: &str| {
+        let parts = found.iter().flat_map(|text| text.split(' '));
+        parts.filter_map(|part| part.strip_prefix(key)).collect::<String>()
+    };
+    [value("name="), value("line="), value("rules=E100L-")].join(" ").trim().to_owned()
+}
+
+#[test]
+fn behind_an_angle_alone_travels_count_from_its_start() {
+    // To X49 Z40 both times: the corner is 10 before Z80, on X49.
+    for (first, second) in [("G34", ""), ("G01", "G35"), ("G35", "G34")] {
+        let program = format!("G00 X29 Z80\n{first} G91 A135 F1.5\n{second} X20 Z-40 A180\nM02\n");
+        let found = values(&program, &Setup::default(), &["x", "z"]);
+        assert_eq!(found, ["29 80", "49 70", "49 40"], "{program}");
+    }
+    let program = "G00 X29 Z80\nG34 G91 A135 F1.5\nG90 X49 Z40 A180\nM02\n";
+    assert_eq!(values(program, &Setup::default(), &["lead", "x", "z"]), ["1.5 49 70", "1.5 49 40"]);
+}
+
+#[test]
+fn a_leg_behind_an_angle_alone_has_its_words() {
+    let program = "G00 X29 Z80\nG34 A135 F2 C90\nX49 Z40 A180 E0.1 J2 C45\nA135 J1\nX69 Z20 A0 M27\nM02\n";
+    let found = values(program, &Setup::default(), &["lead", "x", "z"]);
+    assert_eq!(found, ["2 49 70", "1 49 40", "2 69 30"]);
+    assert_eq!(values(program, &Setup::default(), &["start", "z"]), ["90 70"]);
+    assert_eq!(values(program, &Setup::default(), &["change", "z"]), ["0.1 40"]);
+    // The last one has M27 and no travel of X.
+    assert_eq!(alarm(program, &Setup::default()), "unspecified 5 G34-04");
+}
+
+#[test]
+fn a_leg_comes_behind_an_angle_alone_that_follows_a_chamfer() {
+    let program = "G00 X29 Z80\nG75 G01 X39 L1 F1.5\nA135\nG34 X49 Z40 A180\nM02\n";
+    let found = values(program, &Setup::default(), &["x", "z"]);
+    assert_eq!(found, ["29 80", "37 80", "40.414214 79.292893", "49 75", "49 40"]);
+}
+
+#[test]
+fn what_an_angle_alone_in_a_thread_needs() {
+    let of = |text: &str| alarm(&format!("G00 X29 Z80\n{text}\nM02\n"), &Setup::default());
+    assert_eq!(of("G34 A135 F1"), "angle_lookahead 2 ANG-06");
+    assert_eq!(of("G34 A135 F1\nG33 X49 Z40 A180"), "angle_lookahead 2 ANG-06");
+    assert_eq!(of("G34 A135 F1\nG02 X49 Z40 L20"), "angle_lookahead 2 ANG-06");
+    assert_eq!(of("G34 A135 F1\nG01 X49 Z40 A180 E1"), "word_without_function 3 ADDR-01");
+    assert_eq!(of("G34 A135 F1\nX49 Z40 A180 E-1"), "address_range 3 G34-02");
+    assert_eq!(of("G34 A135 F1\nX49 Z40 A180 T0101"), "angle_lookahead 2 ANG-06");
+    assert_eq!(of("G34 A135 F1\nGOTO N9\nN9"), "unspecified 3 ANG-06");
+    assert_eq!(of("G34 A135 F1\nG75 X49 Z40 A180 L1"), "chamfer_not_linear 3 CHAM-05");
+    assert_eq!(of("G75 G01 A135 L1 F1\nG34 X49 Z40 A180"), "chamfer_corner 2 ANG-07");
+    // The point of intersection has no travel of Z.
+    assert_eq!(of("G34 A90 F1\nX49 Z40 A180"), "unspecified 2 G34-04");
+    assert_eq!(of("G34 A90 F1 M27\nX49 Z40 A180"), "");
+    assert_eq!(of("G34 A135 F1\nX49 Z40 A180\nX59 Z20 A135"), "angle_overdetermined 4 DTAP-01");
+    let mut setup = Setup::default();
+    setup.parameters.chamfering = Chamfering::Basic;
+    let program = "G00 X29 Z80\nG34 A135 F1\nX49 Z40 A180\nM02\n";
+    assert_eq!(alarm(program, &setup), "angle_underdetermined 2 DTAP-01");
+}
+
+#[test]
+fn a_contour_of_a_thread_has_legs_with_an_angle_alone() {
+    let program = |legs: &str| format!("NAT4 G81\nG00 X20 Z5\n{legs}\nG00 X28 Z5\nG88 NAT4 D1 H1 M74\nM02\n");
+    // 2 of radius under 135 degrees before X24 Z-14.
+    let text = program("G34 A180 F1.5\nX24 Z-14 A135 E0.1\nG01 X26\nG80");
+    assert_eq!(values(&text, &Setup::default(), &["lead", "x", "z"]), ["1.5 20 -12", "1.5 24 -14"]);
+    assert_eq!(alarm(&text, &Setup::default()), "");
+    let text = program("G34 A180 F1.5\nG80 X24 Z-14 A135");
+    assert_eq!(values(&text, &Setup::default(), &["lead", "x", "z"]), ["1.5 20 -12", "1.5 24 -14"]);
+    let text = program("G34 X24 Z-14 F1.5\nG80 A135");
+    assert_eq!(alarm(&text, &Setup::default()), "angle_lookahead 4 ANG-06");
+    let text = program("G34 A180 F1.5\nG00 X24 Z-14 A135\nG80");
+    assert_eq!(alarm(&text, &Setup::default()), "contour_malformed 4 LAP-04");
+}
+
 /// A number from 0 to below a bound, of a sequence that looks like chance.
 fn chance(seed: &mut u64, below: u64) -> u64 {
     *seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
@@ -91,6 +169,8 @@ fn block(seed: &mut u64) -> String {
         ("G32", "XZAIELJCF"),
         ("", "XZEL"),
         ("G34", "XZEJCF"),
+        ("G34", "AEJCF"),
+        ("", "XZAEJC"),
         ("G35", "XAEJCF"),
         ("G35", "ZAEJCF"),
     ];
