@@ -30,7 +30,7 @@ impl Interpreter<'_> {
         let counts = !goes_on || planted::is(Bug::AngleInChain);
         let start = words.get(Address::C).filter(|_| counts).unwrap_or_default();
         let present = self.present();
-        let (end, course) = self.end_of_leg(slot, present, angle_target, sink)?;
+        let (end, of_angle) = self.end_of_leg(slot, present, angle_target, sink)?;
         let ((from, _), (to, _)) = (axes.split(present), axes.split(end));
         if from == to {
             return Err(unspecified(G34_04, "length"));
@@ -44,7 +44,7 @@ impl Interpreter<'_> {
             end,
             tested: [Address::X, Address::Z].map(|address| angle || words.has(address)),
             part: None,
-            cited: self.leg_cites(words, thread).and(course),
+            cited: self.leg_cites(words, thread).and(of_angle),
         };
         self.make(&step, sink)
     }
