@@ -301,7 +301,7 @@ fn blocks_are_refused_in_their_order() {
             ("G40 G04 F1\nM02\n", "name=unspecified detail=cancel rules=E100L-CRC-14"),
             ("G40 G103 C9 L60\nM02\n", "name=compensation_not_linear rules=E100L-NRC-72"),
             ("G40 G00 C9 I1\nM02\n", "name=word_without_function detail=I rules=E100L-ADDR-01"),
-            ("G18 C9\nM02\n", "name=unspecified detail=G101 rules=E100L-CRC-06"),
+            ("G18 C9\nM02\n", "name=plane_change_in_compensation rules=E100L-CRC-13"),
             ("G18\nM02\n", "name=plane_change_in_compensation rules=E100L-CRC-13"),
             ("G136\nM02\n", "name=unspecified detail=compensation rules=E100L-CSC-09"),
             ("G137 C0\nM02\n", "name=compensation_not_allowed rules=E100L-NRC-81"),

@@ -217,7 +217,7 @@ bugs! {
     SameCodeGoesOn 3000 "threads" [G33_03] "A thread code that is written again goes on with the cycle."
     AngleOfFollowUp 3000 "threads" [G33_10] "C of a follow-up block is the start angle from there on."
     AngleInChain 3000 "threads" [G34_05] "Each length of a chain begins at its own C."
-    LegFromCorner 20000 "threads" [ANG_06] "In G91 a leg behind a block with A alone counts from the corner."
+    LegFromCorner 2500 "threads" [ANG_06] "In G91 a leg behind a block with A alone counts from the corner."
     ShrinkingGrows 300 "threads" [G34_02] "The lead grows in G35 too."
     TaperHalved 300 "threads" [G33_05] "I is the difference of diameter."
     TaperFromCycleStart 3000 "threads" [G33_06, G33_07] "The taper of an angle counts from the cycle start, not from the shifted start."
