@@ -331,7 +331,7 @@ fn blocks_are_refused_in_their_order() {
         &[
             ("G41\nM02\n", "name=unspecified detail=start_up line=4 rules=E100L-CRC-14"),
             ("G41 Z5\nM02\n", "name=unspecified detail=start_up"),
-            ("G41 G22 Z5 D1 L1 PZ=9\nM02\n", "name=unspecified detail=start_up"),
+            ("G41 G22 Z5 D1 L1 PZ=9\nM02\n", "name=unspecified detail=G22 rules=E100L-NRC-81"),
             ("G41 G50 X9\nM02\n", "name=unspecified detail=start_up"),
             ("G41 G102 L9\nM02\n", "name=unspecified detail=start_up"),
             ("G41 G102 C9 L9\nM02\n", "name=compensation_not_linear rules=E100L-NRC-19"),
