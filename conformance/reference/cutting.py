@@ -38,7 +38,7 @@ class Control(Machining):
         """A block; whether it ends the program."""
         modes = self.modes | {group: block.selected(group) for group in POWER_ON if block.selected(group)}
         motion_code = block.selected("motion")
-        check(block, modes, self.m, first=bool(motion_code) or self.cycle is None)
+        check(block, modes, self.m, bool(motion_code) or self.cycle is None, self.setup.any_angle)
         for code in block.g:
             self.g_code(block, code)
         cuts = block.cuts(self.modes["motion"])

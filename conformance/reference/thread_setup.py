@@ -5,7 +5,7 @@ from events import Unsupported
 
 KNOWN = {
     None: {"control", "start", "zero_offset", "limits", "parameters", "readings", "unit_system"},
-    "parameters": {"thread_chamfer_feed", "m75_pattern"},
+    "parameters": {"chamfering", "thread_chamfer_feed", "m75_pattern"},
     "readings": {"taper_reference", "thread_shift", "thread_flank", "balanced_infeed", "feed_length", "speed_clamp"},
     "limits": {"x", "z", "steps"},
     "start": {"x", "z"},
@@ -30,6 +30,7 @@ class ThreadSetup:
         self.table = table.get("limits", {})
         self.steps = self.table.get("steps", 10_000_000)
         self.withdrawal = MM_PER_MINUTE * parameters.get("thread_chamfer_feed", 640)
+        self.any_angle = parameters.get("chamfering", "any_angle") == "any_angle"
         self.m75_pattern = parameters.get("m75_pattern", 3)
         self.k = Q(1) if readings.get("feed_length") == "diameter" else Q(1, 2)
         self.taper_from_start = readings.get("taper_reference") != "end"

@@ -106,9 +106,9 @@ def code_of(letter, value):
     return "%s%02d" % (letter, int(value))
 
 
-def check(block, modes, m_codes, first):
+def check(block, modes, m_codes, first, any_angle):
     """Checks 2 to 5. `modes` are those after the block's own words, `m_codes` those before; `first`: the block has no
-    cycle to follow."""
+    cycle to follow; `any_angle`: chamfering is set to that."""
     def refuse(condition, name, rule, detail=None):
         if condition:
             raise Alarm(name, rule, block.place, detail)
@@ -126,7 +126,7 @@ def check(block, modes, m_codes, first):
     elif cuts and motion in PASSES:
         check_pass(motion, words, first, refuse)
     elif cuts:
-        check_leg(words, refuse)
+        check_leg(words, refuse, any_angle)
     if cuts:
         refuse(words.get("J", Q(1)).denominator > 1, "unspecified", "THRD-06", "J")
         refuse(words.get("C", 0) < 0, "address_range", "THRD-07")
@@ -164,9 +164,11 @@ def check_pass(motion, words, first, refuse):
     refuse(words.get("L", 0) < 0, "address_range", "ADDR-01")
 
 
-def check_leg(words, refuse):
+def check_leg(words, refuse, any_angle):
     """Check 4 of G34 and G35."""
     given = [letter for letter in "XZ" if letter in words]
+    if any_angle and "A" in words and not given:
+        raise Unsupported("A alone")
     refuse("A" in words and len(given) == 2, "angle_overdetermined", "DTAP-01")
     refuse("A" in words and not given, "angle_underdetermined", "DTAP-01")
     refuse(not given, "word_missing", "G34-01")
