@@ -3,6 +3,7 @@
 
 #![allow(clippy::panic)]
 
+use turnspec_oracle::integer::turn::{around, beside};
 use turnspec_oracle::vocabulary::notation::{Expectation, render};
 use turnspec_oracle::vocabulary::{Event, Length, NoseRadius, Setup};
 
@@ -483,4 +484,36 @@ fn lap_is_turning() {
     let program =
         "M110\nG17\nG00 X100 Z10 F0.2 T010101\nG85 NA D2\nM02\nNA G81\nG00 X80 Z5\nG41 G01 Z0\nX90\nG80\n";
     all_end_with(program, &[("", "name=unspecified detail=G41 line=8 rules=E100L-LAP-16")]);
+}
+
+/// "Where the axes go": on the side of the chord a turn of more than 270 degrees loses its whole turn, round the centre one of
+/// less than 90 degrees gains one; others stay.
+#[test]
+fn rounding_neither_makes_nor_takes_a_whole_turn() {
+    const DEGREE: i64 = 1_000_000;
+    for (from, to, positive, wanted) in [
+        (10 * DEGREE, 9_999_996, true, -4),
+        (9_999_996, 10 * DEGREE, false, 4),
+        (10 * DEGREE, 10 * DEGREE, true, 0),
+        (0, 270 * DEGREE, true, 270 * DEGREE),
+        (0, 270 * DEGREE + 1, true, -90 * DEGREE + 1),
+        (0, 90 * DEGREE, false, -270 * DEGREE),
+        (0, 90 * DEGREE - 1, false, 90 * DEGREE - 1),
+        (350 * DEGREE, 10 * DEGREE, true, 20 * DEGREE),
+    ] {
+        assert_eq!(beside(from, to, positive), wanted, "beside: {from} to {to}");
+    }
+    for (from, to, positive, wanted) in [
+        (10 * DEGREE, 10 * DEGREE, true, 360 * DEGREE),
+        (10 * DEGREE, 10 * DEGREE, false, -360 * DEGREE),
+        (10 * DEGREE, 10 * DEGREE + 4, true, 360 * DEGREE + 4),
+        (10 * DEGREE, 10 * DEGREE + 4, false, -360 * DEGREE + 4),
+        (0, 90 * DEGREE - 1, true, 450 * DEGREE - 1),
+        (0, 90 * DEGREE, true, 90 * DEGREE),
+        (0, 270 * DEGREE, false, -90 * DEGREE),
+        (0, 270 * DEGREE + 1, false, -450 * DEGREE + 1),
+        (0, 200 * DEGREE, false, -160 * DEGREE),
+    ] {
+        assert_eq!(around(from, to, positive), wanted, "round: {from} to {to}");
+    }
 }
