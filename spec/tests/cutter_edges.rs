@@ -1,0 +1,152 @@
+//! Cutter radius compensation at its edges: other axes along with the plane, offsets of the frame, exact half circles, and
+//! the limits of the addresses. All values follow by hand from execution-contour.md, section 9, and execution.md, chapter 5.
+
+#![allow(clippy::panic)]
+
+use turnspec_oracle::vocabulary::notation::{Expectation, render};
+use turnspec_oracle::vocabulary::{Angle, Event, Length, NoseRadius, Setup};
+
+/// Tool 1 with this radius in nanometres, on a machine with a W axis.
+fn cutter(radius: i64) -> Setup {
+    let entry = NoseRadius { number: 1, x: Length(radius), z: Length(0) };
+    let mut setup = Setup { nose_radius: vec![entry], ..Setup::default() };
+    setup.options.w_axis = true;
+    setup
+}
+
+/// The same with 5 mm.
+fn setup() -> Setup {
+    cutter(5_000_000)
+}
+
+fn trace(program: &str, setup: &Setup) -> Vec<Event> {
+    let mut trace = Vec::new();
+    turnspec_oracle::run(program.as_bytes(), setup, &mut |event: &Event| trace.push(*event));
+    trace
+}
+
+fn holds(program: &str, expected: &str, setup: &Setup) {
+    let trace = trace(program, setup);
+    if let Err(divergence) = Expectation::parse(expected).matches(&trace) {
+        let found: Vec<String> = trace.iter().map(render).collect();
+        panic!("{divergence}\n{program}\n{}", found.join("\n"));
+    }
+}
+
+/// The program ends with these words of the compact notation.
+fn ends_with(program: &str, wanted: &str, setup: &Setup) {
+    let found = trace(program, setup).last().map(render).unwrap_or_default();
+    let words: Vec<&str> = found.split(' ').collect();
+    assert!(wanted.split(' ').all(|word| words.contains(&word)), "{program}\n{found}\n{wanted}");
+}
+
+/// Whether the first motion of this line cites a rule.
+fn cites(program: &str, line: u32, rule: &str) -> bool {
+    let events = trace(program, &setup());
+    let motion = events.iter().find(|event| event.block.line == line && render(event).contains(" mx="));
+    assert!(motion.is_some(), "{program}");
+    motion.is_some_and(|event| event.rules.as_slice().iter().any(|each| each.as_str() == rule))
+}
+
+const FACE: &str = "M110\nG94 G00 X100 C0 F100 T010101\nG17\n";
+const CONVERTED: &str = "M110\nG94 F100 T010101\nG137 C0\nG17\n";
+
+/// From the centre of half a circle to its ends the angle is 180 degrees exactly: no other arc (CRC-15). L = 4 < R, the
+/// cutter outside: (40, 0) to (48, 0) about (44, 0), L' = 4 + 5, from (35, 0) to (53, 0), on the same ray: C does not turn.
+#[test]
+fn half_a_circle_is_no_other_arc() {
+    for (side, code, sense) in [("G41", "G102", "cw"), ("G42", "G103", "ccw")] {
+        let program = format!("{CONVERTED}G00 X30 Y0\n{side} X40 Y0\n{code} X48 L4\nM02\n");
+        let expected = format!(
+            "...\nrapid px=40 py=0 qx=35 qy=0 tx=70\nmode code={code}\n\
+             contour_arc px=48 py=0 qx=53 qy=0 tx=106 tc=0 pcx=44 pcy=0 sense={sense} c_travel=0 \
+             rules=E100L-NRC-48+E100L-NRC-60\n..."
+        );
+        holds(&program, &expected, &setup());
+        assert!(!cites(&program, 7, "E100L-CRC-15"), "{program}");
+    }
+}
+
+/// The mirror image, in p, of the arc of more than half a circle in cutter.rs: all q and the sense change sign.
+#[test]
+fn a_clockwise_arc_that_grows_beyond_half_a_circle_becomes_the_other_one() {
+    let program =
+        format!("{CONVERTED}G00 X0 Y-30\nG41 X10 Y-10\nG101 X50 Y20\nG102 Y-20 L20\nG101 X10 Y10\nM02\n");
+    holds(
+        &program,
+        "...
+linear px=50 py=20 qx=48.251728 qy=24.938796
+mode code=G102
+contour_arc px=50 py=-20 qx=48.251728 qy=-24.938796 pcx=46.503456 pcy=0 sense=cw rules=E100L-CRC-15
+...
+end code=M02",
+        &setup(),
+    );
+}
+
+/// G00 as an element cites NRC-41. A start-up without travel of the axes cites NRC-20, one with travel does not, also where
+/// no point of conversion mode is known before it.
+#[test]
+fn rules_of_rapids_and_of_start_ups() {
+    let program = format!("{CONVERTED}G41 G00 X30 Y0\nY20\nM02\n");
+    assert!(cites(&program, 6, "E100L-NRC-41") && !cites(&program, 5, "E100L-NRC-20"));
+    let program = "M110\nG94 G00 X60 C0 F100 T010101\nG137 C0\nG17\nG41 G00 X30 Y0\nY20\nM02\n";
+    assert!(cites(program, 5, "E100L-NRC-20"));
+}
+
+/// Lines of the face as in cutter.rs: cutter in X 87.357718, C 4.642819; X 94.142136, C 90. Machine coordinates are larger by
+/// 10, 20, 30 and 40. CFEED-03 with diameters and ΔC·500/360: √(12.642282² + 5² + 1² + 6.448360²) = 15.080074;
+/// √(6.784418² + 3² + 2² + 118.551640²) = 118.800336. G101: √(2·43.535534² + 4²) = 61.698342.
+#[test]
+fn z_and_w_go_along_in_a_shifted_frame() {
+    let mut setup = setup();
+    (setup.zero_offset.x, setup.zero_offset.z) = (Length(10_000_000), Length(20_000_000));
+    (setup.zero_offset.c, setup.zero_offset.w) = (Angle(30_000_000), Length(40_000_000));
+    holds(
+        "M110\nG94 G00 X100 Z0 W0 C0 F100 T010101\nG17\nG42 G01 X80 Z5 W1\nC90 Z8 W3\nG101 C180 Z12\nM02\n",
+        "...
+linear x=80 z=5 c=0 mx=97.357718 mz=25 mc=34.642819 tx=87.357718 tz=5 tc=4.642819 c_travel=4.642819 path=15.080074
+linear x=80 z=8 c=90 mx=104.142136 mz=28 mc=120 tx=94.142136 tz=8 tc=90 c_travel=85.357181 path=118.800336
+mode code=G101
+linear x=80 z=12 c=180 mx=97.357718 mz=32 mc=205.357181 tz=12 tc=175.357181 path=61.698342
+...
+end code=M02",
+        &setup,
+    );
+}
+
+/// The end of compensation leads from T = (30, 0) to P = (−40, 0), on opposite rays: X in, C half round, X out, and each
+/// event shows its own end.
+#[test]
+fn the_end_goes_through_the_centre() {
+    holds(
+        &format!("{CONVERTED}G42 G00 X10 Y5\nG101 X30\nG40 X-40 Y0\nM02\n"),
+        "...
+linear px=30 py=5 qx=30 qy=0 tx=60 tc=0
+mode code=G40
+linear part=radial x=0 c=0 mx=0 mc=0 tx=- path=30
+linear part=turn x=0 c=180 mx=0 mc=180 c_travel=180 path=250
+linear part=radial x=80 c=180 mx=80 mc=180 path=40
+...
+end code=M02",
+        &setup(),
+    );
+}
+
+/// X of P may be 0, at the target and at the start: only below 0 it is refused. On the right of (−1, 0) lies q = 5, on that of
+/// (0, 1) p = 5. Contact in (40, 5), corner in (5, 5), contact in (5, 40). X = 2·√1625 = 80.622577, C = 7.125016, 45, 82.874984.
+#[test]
+fn p_is_the_centre() {
+    holds(
+        &format!("{FACE}G42 G01 X80\nX0\nX80 C90\nM02\n"),
+        "...
+linear x=80 c=0 qx=40 qy=5 tx=80.622577 tc=7.125016
+linear x=0 c=0 px=- qx=5 qy=5 tx=14.142136 tc=45 c_travel=37.874984
+linear x=80 c=90 qx=5 qy=40 tx=80.622577 tc=82.874984 c_travel=37.874984
+...
+end code=M02",
+        &setup(),
+    );
+    let below = "M110\nG94 G00 X-10 C0 F100 T010101\nG17\nG42 G01 X80\nM02\n";
+    ends_with(below, "name=contour_x_not_positive line=4 rules=E100L-CGF-08", &setup());
+}
