@@ -150,3 +150,116 @@ end code=M02",
     let below = "M110\nG94 G00 X-10 C0 F100 T010101\nG17\nG42 G01 X80\nM02\n";
     ends_with(below, "name=contour_x_not_positive line=4 rules=E100L-CGF-08", &setup());
 }
+
+/// The programmed points (30, 0) and (20, 0) with θ = 90: the start is the kept point, so that T = (15, 0) lies on the same
+/// ray and C stays at 90.
+#[test]
+fn a_start_up_in_g101_begins_in_the_kept_point() {
+    holds(
+        "M110\nG94 F100 T010101\nG137 C90\nG17\nG00 X30 Y0\nG41 G101 X20\nY20\nM02\n",
+        "...\nlinear px=20 py=0 qx=15 qy=0 tx=30 tc=90 c_travel=0 path=15 rules=E100L-CGF-09\n...",
+        &setup(),
+    );
+}
+
+/// Out of conversion mode z is 0, also with a zero shift that conversion leaves out: T as in cutter.rs.
+#[test]
+fn the_zero_shift_of_conversion_is_none_out_of_it() {
+    let mut setup = setup();
+    setup.parameters.conversion_zero_shift = turnspec_oracle::vocabulary::ConversionZeroShift::Excluded;
+    holds(
+        &format!("{FACE}VZSHC=30\nG42 G00 X80 C0\nG101 C90\nM02\n"),
+        "...\nrapid x=80 c=0 tx=87.357718 tc=4.642819\n...",
+        &setup,
+    );
+}
+
+/// F·50/100 for the turn alone. The cutter on the left of (−1, 0) goes along q = 0.
+#[test]
+fn the_turn_has_its_own_feed() {
+    let mut setup = setup();
+    setup.parameters.centre_override = 50;
+    holds(
+        &format!("{CONVERTED}G41 G00 X30 Y5\nG101 X-30\nM02\n"),
+        "...\nlinear part=radial f=100mm/min\nlinear part=turn f=50mm/min\nlinear part=radial f=100mm/min\n...",
+        &setup,
+    );
+}
+
+/// The arc from (40, 0) with L = 5 = R and the cutter inside. M is latched: h = √(25 − 25/4) = 4.330127. To (43, 4):
+/// M = (41.5 − 0.8·h, 2 + 0.6·h) = (38.035898, 4.598076), at the start √24.99999957 and at the end √25.0000036 away. To (44, 3):
+/// M = (42 − 0.6·h, 1.5 + 0.8·h) = (39.401924, 4.964102), √25.0000036 and √24.99999957. Less than R at one end is enough.
+#[test]
+fn an_arc_is_too_small_at_either_end() {
+    for end in ["X43 Y4", "X44 Y3"] {
+        let program = format!("{CONVERTED}G00 X30 Y0\nG41 X40 Y0\nG103 {end} L5\nM02\n");
+        ends_with(&program, "name=compensation_arc_too_small line=7 rules=E100L-NRC-48", &setup());
+    }
+}
+
+/// The range of a target is tested before the feed: 2·50000, 60000 + 60000 and 50000 + 50000 are beyond 99999.999.
+#[test]
+fn ranges_are_tested_before_the_feed() {
+    for (program, line) in [
+        ("M110\nG94 T010101\nG137 C0\nG17\nG41 G00 X30 Y0\nG101 X50000 Y0\nM02\n", 6),
+        ("M110\nG94 G00 Z60000 T010101\nG137 C0\nG17\nG41 G00 X30 Y0\nG91 G101 Y5 Z60000\nM02\n", 6),
+        ("M110\nG94 G00 X100 Z50000 C0 T010101\nG119\nG41 C9\nG91 G132 Z50000 L30000\nM02\n", 5),
+    ] {
+        ends_with(program, &format!("name=coordinate_range line={line} rules=E100L-ADDR-01"), &setup());
+    }
+}
+
+/// P is within the range of the addresses; the cutter, 5 mm beside it, beyond, exactly at its end, or inside.
+#[test]
+fn the_cutter_has_the_range_of_the_addresses() {
+    let face = |side: &str, x: &str, y: &str| format!("{CONVERTED}{side} G00 X{x} Y0\nG101 Y{y}\nM02\n");
+    // 2·(49997 ± 5) = 100004, 99984.
+    ends_with(&face("G42", "49997", "5"), "name=coordinate_range line=5 rules=E100L-ADDR-01", &setup());
+    ends_with(&face("G41", "49997", "5"), "end code=M02", &setup());
+    // 2·(49994.999 + 5.0005) = 99999.999; 0.01 aside X is longer by 0.000000002.
+    holds(
+        &face("G42", "49994.999", "0.01"),
+        "...\nrapid tx=99999.999 tc=0\nmode code=G101\nlinear tx=99999.999\n...\nend code=M02",
+        &cutter(5_000_500),
+    );
+    let side = |side: &str, z: &str| {
+        format!("M110\nG94 G00 X100 Z90000 C0 F100 T010101\nG119\n{side} G01 Z{z}\nC60\nM02\n")
+    };
+    ends_with(&side("G41", "99997"), "name=coordinate_range line=4 rules=E100L-ADDR-01", &setup());
+    ends_with(&side("G42", "99997"), "end code=M02", &setup());
+    holds(
+        &side("G41", "99994.999"),
+        "...\nlinear tz=99999.999\nlinear tz=99999.999\n...\nend code=M02",
+        &setup(),
+    );
+}
+
+/// Z alone in G17 has its limit in G01 too; on the side W alone asks nothing of Z, which is 5 mm beyond the limit in P alone.
+#[test]
+fn limits_of_motions_of_other_axes() {
+    let mut with_z = setup();
+    with_z.limits.z.positive = Some(Length(37_000_000));
+    let program = format!("{FACE}G42 G00 X80\nG101 C90\nG01 Z38\nM02\n");
+    ends_with(&program, "name=travel_limit_positive line=6 rules=E100L-NRC-80", &with_z);
+    let program = "M110\nG94 G00 X100 Z20 C0 F100 T010101\nG119\nG42 G01 Z40\nC60\nW5\nC80\nM02\n";
+    holds(
+        program,
+        "...\nlinear z=40 mz=35\nlinear z=40 mz=35\nlinear w=5 mz=35\nlinear mz=35\n...\nend code=M02",
+        &with_z,
+    );
+    // At the end of compensation: W 20 is within its limit, W 5 is not.
+    let mut with_w = setup();
+    with_w.limits.w.negative = Some(Length(10_000_000));
+    let program = |w| format!("{FACE}G00 W30\nG42 X80\nG101 C90\nG40 G00 X120 W{w}\nM02\n");
+    ends_with(&program(20), "end code=M02", &with_w);
+    ends_with(&program(5), "name=travel_limit_negative line=7 rules=E100L-LIM-02", &with_w);
+}
+
+/// One barrier is enough (section 5, step 7).
+#[test]
+fn z_alone_in_g101_with_a_barrier() {
+    for code in ["M25", "M21"] {
+        let program = format!("{FACE}G42 G00 X80\nG101 C90\n{code} Z5\nM02\n");
+        ends_with(&program, "name=not_modelled detail=barrier line=6 rules=E100L-CGF-01", &setup());
+    }
+}
