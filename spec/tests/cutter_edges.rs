@@ -197,6 +197,16 @@ fn an_arc_is_too_small_at_either_end() {
     }
 }
 
+/// L' below 0 by a nanometre, L = 5 and R = 5.000001, although M as latched is R away. q² = 2.524² + 2.517² = 12.705865,
+/// h = √(25 − q²/4) = 4.671567 (from 4.6715665), M = (41.262 − 2.517·h/q, 1.2585 + 2.524·h/q) = (37.963293, 4.566381), at the start
+/// √25.00001084 and at the end √25.00001082 away; R² = 25.00001.
+#[test]
+fn an_arc_without_radius_is_too_small() {
+    let program = format!("{CONVERTED}G00 X30 Y0\nG41 X40 Y0\nG103 X42.524 Y2.517 L5\nM02\n");
+    ends_with(&program, "name=compensation_arc_too_small line=7 rules=E100L-NRC-48", &cutter(5_000_001));
+    ends_with(&program, "end code=M02", &cutter(5_000_000));
+}
+
 /// The range of a target is tested before the feed: 2·50000, 60000 + 60000 and 50000 + 50000 are beyond 99999.999.
 #[test]
 fn ranges_are_tested_before_the_feed() {
@@ -247,6 +257,11 @@ fn limits_of_motions_of_other_axes() {
         "...\nlinear z=40 mz=35\nlinear z=40 mz=35\nlinear w=5 mz=35\nlinear mz=35\n...\nend code=M02",
         &with_z,
     );
+    // Z stands at 0, beyond its limit. W alone has no word of Z and passes; the start-up has no first element.
+    let mut beyond = setup();
+    beyond.limits.z.negative = Some(Length(10_000_000));
+    let program = format!("{FACE}G42 G01 X80\nW5\nM02\n");
+    ends_with(&program, "name=unspecified detail=start_up line=4 rules=E100L-NRC-15", &beyond);
     // At the end of compensation: W 20 is within its limit, W 5 is not.
     let mut with_w = setup();
     with_w.limits.w.negative = Some(Length(10_000_000));
