@@ -57,7 +57,7 @@ fn chord_square(way: &Way, precision: usize) -> Interval {
     let (start, end) = (whole(way.start.x), whole(way.end.x));
     let squares = (&start * &start + &end * &end) * ratio(1, 4);
     let product = start * end * ratio(1, 2);
-    let between = Interval::of(&product, precision).mul(&cosine(way.forward(), precision));
+    let between = Interval::of(&product, precision).mul(&cosine(way.turn(true), precision));
     Interval::of(&squares, precision).sub(&between)
 }
 
@@ -82,7 +82,7 @@ pub fn travel(way: &Way, arc: &FaceArc) -> Outcome<i64> {
         return Err(Fault::about(AlarmName::Unspecified, CGF_04, "centre"));
     }
     if with_chord.is_none() {
-        return Ok(if forward { way.forward() } else { way.backward() });
+        return Ok(way.turn(forward));
     }
     Ok(if from_centre < square(radius) { way.around(forward) } else { way.beside(!forward) })
 }

@@ -24,7 +24,7 @@ pub fn steps(way: &Way, has_z: bool) -> Outcome<Vec<FaceStep>> {
             Bearing::Same => vec![along_ray(way)],
             Bearing::Opposite => vec![
                 radial(start, before, CGF_11),
-                turn(after, way.forward(), CGF_11),
+                turn(after, way.turn(true), CGF_11),
                 radial(after, end, CGF_11),
             ],
             Bearing::Forward => vec![line(way, way.beside(true), RuleSet::EMPTY)],

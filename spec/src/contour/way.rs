@@ -100,7 +100,7 @@ impl Way {
         let (start, end) = (self.start.point, self.end.point);
         let (cross, dot) = (start.cross(end), start.dot(end));
         let half = turn::FULL_TURN / 2;
-        match (self.of == Whose::Axes, self.forward()) {
+        match (self.of == Whose::Axes, self.turn(true)) {
             (true, 0) => Bearing::Same,
             (true, forward) if forward == half => Bearing::Opposite,
             (true, forward) if forward < half => Bearing::Forward,
@@ -112,37 +112,31 @@ impl Way {
         }
     }
 
-    /// The positive turn from start to end.
-    pub fn forward(&self) -> i64 {
-        turn::travel(self.start.c, self.end.c, 0, true)
-    }
-
-    /// The negative turn.
-    pub fn backward(&self) -> i64 {
-        turn::travel(self.start.c, self.end.c, 0, false)
+    /// The positive or the negative turn from start to end.
+    pub fn turn(&self, positive: bool) -> i64 {
+        turn::travel(self.start.c, self.end.c, 0, positive)
     }
 
     /// The turn on the side of the chord, by less than half a turn. Of a cutter centre the C of one end may have been
     /// programmed and that of the other computed: on nearly the same ray the points tell the side (E100L-CRC-14).
     pub fn beside(&self, positive: bool) -> i64 {
-        let way = if self.of == Whose::Cutter { turn::beside } else { of_angles };
-        way(self.start.c, self.end.c, positive)
+        match self.of {
+            Whose::Cutter => turn::beside(self.start.c, self.end.c, positive),
+            Whose::Axes | Whose::Points => self.turn(positive),
+        }
     }
 
     /// The turn round the centre on the other side of the chord, by more than half a turn; likewise.
     pub fn around(&self, positive: bool) -> i64 {
-        let way = if self.of == Whose::Cutter { turn::around } else { of_angles };
-        way(self.start.c, self.end.c, positive)
+        match self.of {
+            Whose::Cutter => turn::around(self.start.c, self.end.c, positive),
+            Whose::Axes | Whose::Points => self.turn(positive),
+        }
     }
 
     /// E100L-CGF-10: the shorter turn, the positive one of 180 degrees.
     pub fn shorter(&self) -> i64 {
-        let forward = self.forward();
-        if forward <= turn::FULL_TURN / 2 { forward } else { self.backward() }
+        let forward = self.turn(true);
+        if forward <= turn::FULL_TURN / 2 { forward } else { self.turn(false) }
     }
-}
-
-/// The turn that the angles tell.
-fn of_angles(start: i64, end: i64, positive: bool) -> i64 {
-    turn::travel(start, end, 0, positive)
 }

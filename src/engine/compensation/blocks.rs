@@ -33,9 +33,7 @@ impl Interpreter<'_> {
         self.compensation.phase = match change {
             Change::None => return,
             Change::Begins => {
-                if self.state.plane != 18 {
-                    self.begin_with_cutter();
-                }
+                self.begin_with_cutter();
                 Phase::Starting
             }
             Change::Ends => Phase::Ending,

@@ -4,11 +4,11 @@
 use std::cmp::Ordering;
 
 use crate::engine::exact::SlowPaths;
+use crate::engine::planted::{self, Bug};
 
 use super::front::{Front, Leave};
 use super::graph::{Joint, Span};
 use super::meeting::{Coordinate, Meeting, meetings};
-use super::plane::Spot;
 use super::value::Value;
 
 /// Where a way along the lowered blank ends.
@@ -66,12 +66,6 @@ impl Wall {
 }
 
 impl Front {
-    /// Whether the start of a pass along the blank is a point of the contour: of a wall in which that begins.
-    pub fn begins_on_contour(&self, start: Spot, slow: &mut SlowPaths) -> bool {
-        let joint = self.contour.joints.first().filter(|joint| joint.run == start.run);
-        joint.is_some_and(|joint| Wall::of(joint, false).holds(Value::whole(start.height), slow))
-    }
-
     /// The element of the blank with which the way from a point goes on.
     pub fn first_element(&self, leave: &Leave, slow: &mut SlowPaths) -> usize {
         let span = self.blank.spans.get(leave.blank).map_or(0, |span| span.element);
@@ -88,11 +82,14 @@ impl Front {
     }
 
     /// The way along the lowered blank from where the contour was left, or from its beginning: the first point behind
-    /// that which is also one of the contour.
+    /// that which is also one of the contour; its beginning too, on a wall in which the contour begins.
     pub fn arrival(&self, leave: &Leave, slow: &mut SlowPaths) -> Arrival {
         let drop = self.drop(leave.times);
         let mut number = leave.blank;
         let mut contour = self.starting_span(leave);
+        if contour.is_none() && self.begins_at(leave.point, slow) && !planted::is(Bug::WallEntered) {
+            return Arrival { point: leave.point, element: 0 };
+        }
         let mut low = leave.point.run;
         let mut is_first = true;
         let mut last = None;
@@ -144,6 +141,13 @@ impl Front {
     /// The span of the contour behind the beginning of a way; none before its start.
     fn starting_span(&self, leave: &Leave) -> Option<usize> {
         if leave.root.is_some() || leave.at_joint { Some(leave.contour) } else { None }
+    }
+
+    /// Whether a point lies on the wall in which the contour begins.
+    fn begins_at(&self, point: Meeting, slow: &mut SlowPaths) -> bool {
+        let joint = self.contour.joints.first().filter(|joint| point.run == Coordinate::whole(joint.run));
+        let (Some(joint), Coordinate::Value(height)) = (joint, point.height) else { return false };
+        Wall::of(joint, false).holds(height, slow)
     }
 
     /// Whether the lowered blank arrives at the contour at a run, and else where it goes on from there.

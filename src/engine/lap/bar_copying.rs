@@ -9,7 +9,6 @@ use crate::engine::Interpreter;
 use crate::engine::arithmetic::plane::Point;
 use crate::engine::exact::SlowPaths;
 use crate::engine::fault::Fault;
-use crate::engine::planted::{self, Bug};
 
 use super::arrival::Arrival;
 use super::front::{Front, Leave};
@@ -89,15 +88,7 @@ impl Interpreter<'_> {
                 Meeting { run: Coordinate::whole(start.run), height: Coordinate::whole(start.height) };
             let leave = Leave { times, point, blank: 0, contour: 0, at_joint: false, root: None };
             let own = rules::AP5_03.and_if(copying.moved, rules::AP5_01);
-            highest = Some(
-                if copying.front.begins_on_contour(start, &mut self.slow) && !planted::is(Bug::WallEntered) {
-                    let end = job.relieved(self.present(), true);
-                    self.rapid(job, &count, (Part::Relief, end, own), sink)?;
-                    point.height
-                } else {
-                    self.cut_front(job, &copying.front, &count, (&leave, 0, own), sink)?
-                },
-            );
+            highest = Some(self.cut_front(job, &copying.front, &count, (&leave, 0, own), sink)?);
             times += 1;
         }
         self.go_before(job, (&mut count, highest), (from_i, from_k, rules::AP5_05), sink)?;

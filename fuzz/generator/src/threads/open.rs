@@ -44,7 +44,7 @@ impl Builder<'_, '_, '_> {
         self.beside_length(&mut first, corner.minus(base), begins);
         self.begin_ahead();
         let mut items = Vec::new();
-        self.beside_open(&mut items);
+        self.beside_cut(false, &mut items);
         let length = !length || self.choices.chance(65);
         let mut second = self.half(length, items);
         let Some((words, end)) = self.straight(base, goal) else { return false };
@@ -120,21 +120,5 @@ impl Builder<'_, '_, '_> {
         let way = to.minus(from);
         let along = self.length_of_way(half.along_x, way);
         way.length() >= LEAST && (half.lead.is_none() || along >= LEAST)
-    }
-
-    /// What may stand in a block that look-ahead reads (E100L-ANG-05).
-    fn beside_open(&mut self, items: &mut Vec<Item>) {
-        let dimension = self.allows(Feature::Absolute) && self.allows(Feature::Incremental);
-        if self.choices.chance(20) && dimension {
-            let incremental = self.choices.chance(50);
-            items.push(self.incremental_word(incremental));
-        }
-        if self.choices.chance(5) {
-            self.state.per_minute = self.choices.chance(50);
-            items.push(Item::g(if self.state.per_minute { 94 } else { 95 }));
-        }
-        if self.choices.chance(8) && self.allows(Feature::Spindle) {
-            items.push(self.turning_speed());
-        }
     }
 }

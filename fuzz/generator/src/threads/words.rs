@@ -15,6 +15,11 @@ const LEADS: std::ops::RangeInclusive<f64> = 1_001.0..=999_000_000.0;
 impl Builder<'_, '_, '_> {
     /// Modes, S, T and M codes beside a thread.
     pub(super) fn beside_thread(&mut self, items: &mut Vec<Item>) {
+        self.beside_cut(true, items);
+    }
+
+    /// The same; without `tools` what may stand in a block that look-ahead reads (E100L-ANG-05).
+    pub(super) fn beside_cut(&mut self, tools: bool, items: &mut Vec<Item>) {
         let steady = self.state.control.steady;
         let dimension = self.allows(Feature::Absolute) && self.allows(Feature::Incremental);
         if self.choices.chance(20) && dimension {
@@ -25,7 +30,7 @@ impl Builder<'_, '_, '_> {
             self.state.per_minute = self.choices.chance(50);
             items.push(Item::g(if self.state.per_minute { 94 } else { 95 }));
         }
-        if self.choices.chance(5) && self.allows(Feature::Tool) && !steady {
+        if tools && self.choices.chance(5) && self.allows(Feature::Tool) && !steady {
             items.push(self.tool_word());
         }
         if self.choices.chance(8) && self.allows(Feature::Spindle) {

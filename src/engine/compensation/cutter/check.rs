@@ -46,12 +46,12 @@ impl Interpreter<'_> {
                 return Err(undefined(rules::CRC_12, "side"));
             }
         }
-        if moves && (one_shot == OneShot::None || one_shot.is_chamfer()) {
+        let moves = moves && (one_shot == OneShot::None || one_shot.is_chamfer());
+        if moves {
             check_motion(words, plane, motion)?;
         }
         if change != Change::None && one_shot != OneShot::TorqueSkip {
-            let can_move = moves && (one_shot == OneShot::None || one_shot.is_chamfer());
-            let in_plane = can_move && plane.is_moved_by(words, self.state.contour.converts());
+            let in_plane = moves && plane.is_moved_by(words, self.state.contour.converts());
             if change == Change::Begins && (!in_plane || left_over) {
                 return Err(undefined(rules::CRC_14, "start_up"));
             }
