@@ -14,6 +14,9 @@ fn rules() -> Vec<RuleText> {
     book::e100l().unwrap_or_else(|fault| panic!("{fault}"))
 }
 
+/// What is wrong with this many examples is wrong with the oracle: the others need not run.
+const ENOUGH: usize = 20;
+
 fn faults(faults: Vec<String>) {
     assert!(faults.is_empty(), "{} faults:\n{}", faults.len(), faults.join("\n"));
 }
@@ -23,6 +26,9 @@ fn examples_hold() {
     let mut found = Vec::new();
     for rule in rules() {
         for example in &rule.examples {
+            if found.len() == ENOUGH {
+                break;
+            }
             let place = format!("spec/rules/{}:{} ({})", rule.file, example.line, rule.id);
             let setup = match example.setup() {
                 Ok(setup) => setup,
