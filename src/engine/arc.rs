@@ -105,6 +105,7 @@ impl Interpreter<'_> {
         sense: Sense,
         words: &Words,
     ) -> Result<Arc, Fault> {
+        // G91 does not govern I and K: they are counted from the start in both modes (E100L-ABS-05).
         let i = words.get(Address::I).unwrap_or_default();
         let k = words.get(Address::K).unwrap_or_default();
         let across = if planted::is(Bug::CentreDiameter) { i } else { 2 * i };

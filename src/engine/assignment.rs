@@ -71,6 +71,7 @@ impl Interpreter<'_> {
     }
 
     /// Assigns a common variable (E100L-CVAR-04).
+    /// There is one set of them for all programs (E100L-CVAR-02).
     #[inline]
     pub(super) fn assign_common(&mut self, number: u8, value: Operand, origin: Origin, sink: &mut impl Sink) {
         const RULES: RuleSet = RuleSet::of(&[CVAR_04, TYPE_04]);

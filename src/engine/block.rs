@@ -46,6 +46,7 @@ pub enum OneShot {
 }
 
 impl OneShot {
+    /// That of the words of a block. None outlasts it: each corner needs its own G75 or G76 (E100L-CHAM-06).
     fn of(words: &Words) -> Self {
         match words.code_of(GGroup::OneShot) {
             Some(4) => Self::Dwell,

@@ -21,6 +21,7 @@ use super::words::{Address, Words};
 
 impl Interpreter<'_> {
     /// Carries out an evaluated block.
+    /// Its words act in this order, wherever they stand (E100L-FMT-09); its assignments have acted before.
     pub(super) fn carry_out(&mut self, slot: &Slot, sink: &mut impl Sink) -> Result<Option<Ending>, Fault> {
         let Slot { parsed, words, .. } = slot;
         let before = Before {
@@ -46,6 +47,7 @@ impl Interpreter<'_> {
         if let Some(tool) = words.get(Address::T).filter(|_| !plan.one_shot.is_groove()) {
             self.change_tool(tool, plan.moves, sink)?;
         }
+        // So a block starts or clamps with its M codes before it drills (E100L-CAX-09).
         self.m_codes(words, plan, sink)?;
         if plan.one_shot == OneShot::ZeroShift || words.has(Address::T) || parsed.has_assignment {
             self.state.base = None;
@@ -332,6 +334,7 @@ impl Interpreter<'_> {
     }
 
     /// Reset at the end of the program.
+    /// Common variables keep their values (E100L-CVAR-03).
     pub(super) fn reset(&mut self, sink: &mut impl Sink) {
         let state = &self.state;
         // The reset of saddle A shows what both have in common.

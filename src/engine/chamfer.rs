@@ -199,6 +199,7 @@ impl Interpreter<'_> {
             return Fault::raise(AlarmName::ChamferTooShort, rules::CHAM_07);
         }
         let back = leg * travel.signum();
+        // L has the sign of the motion behind the corner, on the other axis (E100L-CHAM-04).
         let (begin, finish) = if along_x {
             let begin = Point { x: corner.x - back, z: present.z };
             (begin, Point { x: corner.x, z: present.z.saturating_add(size) })
@@ -253,6 +254,7 @@ impl Interpreter<'_> {
         };
         let corner = Corner {
             measure,
+            // The next block says which way the corner turns, and a sign of L nothing (E100L-ANG-08).
             size: 2 * i128::from(size.abs()),
             incoming: difference(at, from),
             outgoing: difference(to, at),

@@ -20,6 +20,7 @@ use super::words::{Address, Code, Function, Item, Operand, Operation, Parsed, So
 
 impl Interpreter<'_> {
     /// Evaluates the items of a block; its assignments are carried out at once.
+    /// From left to right: each sees what those before it have set (E100L-AEXP-11).
     #[inline]
     pub(super) fn evaluate(&mut self, slot: &mut Slot, sink: &mut impl Sink) -> Result<(), Fault> {
         let Slot { parsed, words, .. } = slot;
@@ -251,6 +252,7 @@ impl Interpreter<'_> {
                 }
                 Operation::Local(name) => Operand::Real(self.task.read_local(name)?),
                 Operation::Negate => functions::negate(pop())?,
+                // NOT inverts all 32 bits (E100L-MATH-05, E100L-BOOL-02).
                 Operation::Not => Operand::Integer(!functions::bits(pop())?),
                 Operation::Call(function @ (Function::Atan2 | Function::Mod)) => {
                     let (b, a) = (pop(), pop());
@@ -263,11 +265,13 @@ impl Interpreter<'_> {
                 binary => {
                     let (b, a) = (pop(), pop());
                     match binary {
+                        // + - * / add, subtract, multiply and divide (E100L-MATH-07).
                         Operation::Add => functions::add(a, b)?,
                         Operation::Subtract => functions::subtract(a, b)?,
                         Operation::Multiply => functions::multiply(a, b)?,
                         Operation::Divide => functions::divide(a, b)?,
                         Operation::Compare(comparison) => functions::compare(comparison, a, b),
+                        // Bit by bit: AND (E100L-MATH-04), OR (E100L-MATH-03), EOR (E100L-MATH-02).
                         Operation::And => Operand::Integer(functions::bits(a)? & functions::bits(b)?),
                         Operation::Or => Operand::Integer(functions::bits(a)? | functions::bits(b)?),
                         _ => Operand::Integer(functions::bits(a)? ^ functions::bits(b)?),

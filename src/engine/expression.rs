@@ -66,6 +66,7 @@ impl Kind {
     }
 }
 
+/// The operator that a name is: a boolean one (E100L-MATH-01) or a comparison.
 fn word(name: &[u8]) -> Option<Word> {
     use Comparison as C;
     Some(match name {
@@ -99,6 +100,7 @@ pub fn is_reserved(name: &[u8]) -> bool {
     word(name).is_some() || function(name).is_some()
 }
 
+/// The function that a name is (E100L-MATH-01).
 fn function(name: &[u8]) -> Option<Function> {
     Some(match name {
         b"SIN" => Function::Sin,
@@ -174,6 +176,7 @@ impl Parser<'_> {
     }
 
     /// The binary operator that stands here, with its length.
+    /// Between operands + - * / are sum, difference, product and quotient (E100L-MATH-07, E100L-AEXP-02).
     fn binary_operator(&mut self) -> Result<Option<(u8, Kind, usize)>, Fault> {
         Ok(match self.peek() {
             Some(b'+') => Some((level::SUM, Kind::Add, 1)),
@@ -215,6 +218,7 @@ impl Parser<'_> {
     }
 
     /// Signs and a primary.
+    /// In front of an operand + and - are signs (E100L-AEXP-02).
     fn signed(&mut self) -> Result<(), Fault> {
         let mut minus = 0;
         loop {
@@ -237,6 +241,7 @@ impl Parser<'_> {
         match self.peek() {
             Some(b'0'..=b'9' | b'.') => self.constant(),
             Some(b'$') => self.hexadecimal(),
+            // What stands in brackets is computed first (E100L-MATH-17).
             Some(b'[') => {
                 self.at += 1;
                 self.operators(level::OR)?;
@@ -283,6 +288,7 @@ impl Parser<'_> {
     }
 
     /// A hexadecimal constant of one to eight digits.
+    /// It is an integer: the 32-bit pattern, in two's complement (E100L-AEXP-08).
     fn hexadecimal(&mut self) -> Result<(), Fault> {
         self.at += 1;
         let (mut pattern, mut written) = (0_u32, 0_u32);
@@ -341,6 +347,7 @@ impl Parser<'_> {
     }
 
     /// The arguments of a function in brackets (E100L-MATH-08).
+    /// Two for ATAN2 and MOD, one for the others; blanks may stand in front of the bracket (E100L-FUNC-01).
     fn call(&mut self, function: Function) -> Result<(), Fault> {
         self.skip_blanks()?;
         if self.peek() != Some(b'[') {
@@ -364,6 +371,7 @@ impl Parser<'_> {
         Ok(())
     }
 
+    /// Any expression (E100L-FUNC-01), functions of functions included (E100L-AEXP-10).
     fn argument(&mut self) -> Result<(), Fault> {
         self.skip_blanks()?;
         if matches!(self.peek(), None | Some(b']' | b',')) {

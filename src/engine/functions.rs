@@ -24,6 +24,7 @@ pub struct Scales {
 
 impl Scales {
     /// The scales of a set-up.
+    /// Steps in a written 1: 1000 in the 1 mm system, 10000 in 1 inch, 1 in the others (E100L-FUNC-15).
     pub fn new(setup: &Setup) -> Self {
         let (angle, step, full_turn) = match setup.unit_system {
             UnitSystem::Micrometre => (1000.0, 1, 360_000.0),
@@ -37,11 +38,13 @@ impl Scales {
 }
 
 /// A real result, which must be finite.
+/// Reals are binary64 (E100L-TYPE-01).
 fn real(value: f64, rule: RuleId) -> Result<Operand, Fault> {
     if value.is_finite() { Ok(Operand::Real(value)) } else { Fault::raise(AlarmName::RealOverflow, rule) }
 }
 
 /// An integer result, which must fit 32 bits.
+/// Those of two's complement (E100L-TYPE-01).
 fn integer(value: i64, rule: RuleId) -> Result<Operand, Fault> {
     i32::try_from(value).map(Operand::Integer).map_err(|_| Fault::new(AlarmName::IntegerOverflow, rule))
 }
@@ -87,6 +90,7 @@ pub fn negate(a: Operand) -> Result<Operand, Fault> {
 }
 
 /// Comparison (E100L-TYPE-11).
+/// What is true counts as the integer 1, what is false as 0 (E100L-TYPE-01).
 pub fn compare(comparison: Comparison, a: Operand, b: Operand) -> Operand {
     fn holds<T: PartialOrd>(comparison: Comparison, a: T, b: T) -> bool {
         match comparison {
@@ -133,6 +137,7 @@ fn whole(value: f64, rounding: Rounding, rule: RuleId) -> Result<Operand, Fault>
 pub fn call(function: Function, a: Operand, scales: &Scales, slow: &mut SlowPaths) -> Result<Operand, Fault> {
     let domain = |rule| Fault::raise(AlarmName::FunctionDomain, rule);
     match function {
+        // Of an angle in the unit of functions, degrees in the 1 mm system (E100L-MATH-09).
         Function::Sin => real(exact::sine_cosine(a.real() / scales.angle, slow).0, FUNC_03),
         Function::Cos if planted::is(Bug::CosineBySine) => {
             real(exact::sine_cosine(a.real() / scales.angle + 90.0, slow).0, FUNC_04)
@@ -142,18 +147,22 @@ pub fn call(function: Function, a: Operand, scales: &Scales, slow: &mut SlowPath
             Some(value) => real(value, FUNC_05),
             None => domain(FUNC_05),
         },
+        // Over an abscissa of 1 it lies between −90 and 90 degrees (E100L-MATH-10).
         Function::Atan => real(exact::arc_tangent(a.real(), 1.0, slow) * scales.angle, FUNC_06),
         Function::Sqrt if a.real() < 0.0 => domain(FUNC_08),
+        // Square root and absolute value (E100L-MATH-12).
         Function::Sqrt => real(a.real().sqrt(), FUNC_08),
         Function::Abs => real(a.real().abs(), FUNC_09),
         Function::Bin => from_decimal_code(a),
         Function::Bcd => to_decimal_code(a),
+        // A whole number: the nearest one, cut off, raised (E100L-MATH-14).
         Function::Round if planted::is(Bug::RoundTiesToEven) => {
             to_integer(Operand::Real(a.real().round_ties_even()), Rounding::HalfAway)
         }
         Function::Round => to_integer(a, Rounding::HalfAway),
         Function::Fix => to_integer(a, Rounding::Cut),
         Function::Fup => to_integer(a, Rounding::Up),
+        // The same at the place of the least increment (E100L-MATH-15).
         Function::Dround => to_step(a, Rounding::HalfAway, scales),
         Function::Dfix => to_step(a, Rounding::Cut, scales),
         Function::Dfup => to_step(a, Rounding::Up, scales),
@@ -174,6 +183,7 @@ pub fn call_two(
         if b == 0.0 {
             return Fault::raise(AlarmName::DivisionByZero, FUNC_18);
         }
+        // The remainder a − FIX(a/b)·b (E100L-MATH-16).
         let quotient = a / b;
         let quotient = if planted::is(Bug::ModSign) { quotient.floor() } else { quotient.trunc() };
         return real(a - quotient * b, FUNC_18);
@@ -181,6 +191,7 @@ pub fn call_two(
     if a == 0.0 && b == 0.0 {
         return Fault::raise(AlarmName::FunctionDomain, FUNC_07);
     }
+    // The ordinate is written first (E100L-MATH-11).
     let angle = exact::arc_tangent(a, b, slow) * scales.angle;
     real(if planted::is(Bug::ArcTangentUlp) { angle.next_up() } else { angle }, FUNC_07)
 }
@@ -194,6 +205,7 @@ fn to_integer(a: Operand, rounding: Rounding) -> Result<Operand, Fault> {
 }
 
 /// DROUND, DFIX, DFUP: a whole number of steps.
+/// The nearest one (E100L-FUNC-15), cut toward zero (E100L-FUNC-16), raised away from it (E100L-FUNC-17).
 #[allow(clippy::cast_precision_loss)]
 fn to_step(a: Operand, rounding: Rounding, scales: &Scales) -> Result<Operand, Fault> {
     const MOST: i64 = 1 << 53;
@@ -209,6 +221,7 @@ fn to_step(a: Operand, rounding: Rounding, scales: &Scales) -> Result<Operand, F
 }
 
 /// BIN: eight decimal digits, one a nibble, as a number.
+/// So it reads packed digits, whatever its title in the manual says (E100L-MATH-13).
 fn from_decimal_code(a: Operand) -> Result<Operand, Fault> {
     let Operand::Integer(pattern) = cut(a, FUNC_19)? else {
         return Fault::raise(AlarmName::IntegerOverflow, FUNC_19);
@@ -220,6 +233,7 @@ fn from_decimal_code(a: Operand) -> Result<Operand, Fault> {
 }
 
 /// BCD: a number of at most eight digits, one a nibble.
+/// So it packs the digits of a whole number (E100L-MATH-13).
 fn to_decimal_code(a: Operand) -> Result<Operand, Fault> {
     match u32::try_from(a.number().whole(1, Rounding::Cut)) {
         Ok(value @ 0..=decimal_code::MOST) => {

@@ -58,6 +58,7 @@ struct Plain {
 
 impl Parser<'_> {
     /// An item that begins with a letter.
+    /// Another letter behind it makes it a name, else it is an address; V is neither (E100L-CTL-07).
     #[inline]
     pub(super) fn item(&mut self, letter: u8) -> Result<(), Fault> {
         let next = self.text.get(self.at + 1).map_or(Class::Illegal, |byte| class(*byte));
@@ -174,6 +175,7 @@ impl Parser<'_> {
                 b'0'..=b'9' => digits.push(byte - b'0'),
                 b'.' if digits.push_point() => {}
                 b'.' => return Fault::raise(AlarmName::NumberMalformed, FMT_01),
+                // Nothing inside a number; TAB and a comment end it (E100L-FMT-07).
                 _ if class(byte) == Class::Ignored => {}
                 _ => break,
             }
@@ -345,6 +347,7 @@ pub enum Variable {
 
 /// The local variable that a name at item position means, if it is none of the words that have a meaning of
 /// their own.
+/// Extended addresses, keywords, functions and operators are reserved, as whole runs (E100L-LVAR-02).
 fn local_item(name: &[u8]) -> Result<LocalName, Fault> {
     if is_other_extended(name) {
         return Err(Fault::about(AlarmName::NotModelled, FMT_03, Label::from_bytes(name)));

@@ -150,6 +150,7 @@ impl Interpreter<'_> {
         if self.compensation.acts() {
             return self.perform_compensated(element, sink);
         }
+        // Without compensation the tip follows the programmed path; neither tip nor nose is shown (E100L-NRC-06).
         let Element { kind, x, z, w, c, mut cites, mut readings, limited } = element;
         if !limited {
             for target in [x, z, w].into_iter().flatten() {

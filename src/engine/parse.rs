@@ -106,6 +106,7 @@ impl Parser<'_> {
         }
     }
 
+    /// Skips ignored characters, which may stand between an address and its number; a TAB may not (E100L-FMT-07).
     #[inline]
     pub(super) fn skip_ignored(&mut self) {
         while self.peek_class() == Some(Class::Ignored) {
@@ -117,6 +118,7 @@ impl Parser<'_> {
     pub fn run(&self, start: usize) -> &[u8] {
         let rest = self.text.get(start..).unwrap_or_default();
         let alphanumeric = |byte: &&u8| matches!(class(**byte), Class::Letter | Class::Digit);
+        // A name ends at anything that is no letter and no digit (E100L-CTL-07, E100L-FMT-07).
         let length = rest.iter().take_while(alphanumeric).count();
         rest.get(..length).unwrap_or_default()
     }
@@ -138,6 +140,7 @@ impl Parser<'_> {
                 slash |= self.take_slash()?;
             }
         }
+        // Skipped as a whole, behind the test of its name; with the switch off the mark does nothing (E100L-DEL-01).
         if slash && self.options.block_delete {
             self.block.skipped = true;
             return Ok(());
@@ -146,6 +149,7 @@ impl Parser<'_> {
             let rule = if slash { DEL_03 } else { NAME_03 };
             return Fault::raise(AlarmName::ProgramNameNotAlone, rule);
         }
+        // A statement begins its block, sequence name and slash aside (E100L-CTL-02).
         if self.statement()? { Ok(()) } else { self.items(None) }
     }
 
@@ -205,6 +209,7 @@ impl Parser<'_> {
     }
 
     /// The program name whose `O` or `:` stands here, with `O`.
+    /// `:` stands for the `O` (E100L-TAPE-03); what follows it stays text, leading zeros too (E100L-NAME-04).
     pub(super) fn name_of_program(&mut self) -> Result<Label, Fault> {
         let name = self.run(self.at + 1);
         let length = name.len();
@@ -237,6 +242,7 @@ impl Parser<'_> {
         if length == 0 {
             return Fault::raise(AlarmName::SequenceNameMalformed, SEQ_01);
         }
+        // Ignored characters delimit a name, as they do not inside a number (E100L-FMT-07).
         let delimited = match self.peek() {
             None => true,
             Some(b'/') => slash,

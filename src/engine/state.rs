@@ -134,6 +134,7 @@ pub struct State {
 impl State {
     /// The state at power-on.
     pub fn new(setup: &Setup) -> Self {
+        // What a program finds in common variables is given by the set-up, else 0 (E100L-CVAR-03).
         let mut common = Box::new([0.0; 201]);
         for (name, value) in &setup.variables {
             let number = name.strip_prefix('V').and_then(|digits| digits.parse::<usize>().ok());

@@ -186,6 +186,7 @@ impl SystemVariable {
     }
 
     /// The rule that demands User Task 2, if one does.
+    /// VIRD and VORD belong to User Task 1 (E100L-UT-02).
     pub fn level_rule(self) -> Option<RuleId> {
         match self {
             Self::Input => Some(IOV_01),

@@ -42,6 +42,7 @@ const CLASSES: [Class; 256] = {
     let mut byte = 0;
     while byte < 256 {
         table[byte] = match byte as u8 {
+            // Nothing in machining data, even inside a number; TAB and NUL are not among them (E100L-FMT-07).
             b' ' | b'\r' | 0x7f | 0x08 | CONTINUATION => Class::Ignored,
             b'\t' => Class::Tab,
             b'(' => Class::Open,
@@ -57,6 +58,7 @@ const CLASSES: [Class; 256] = {
 };
 
 /// The class of a character.
+/// By now it is ASCII, so that the same ones are ignored in every tape code (E100L-TAPE-02).
 #[inline]
 pub fn class(byte: u8) -> Class {
     CLASSES[usize::from(byte)]
@@ -214,6 +216,7 @@ impl<'a> Reader<'a> {
     }
 
     /// Whether a byte is the end of block, parity aside.
+    /// LF; in EIA code CR, which is 80 (E100L-FMT-04).
     fn is_end_of_block(&self, byte: u8) -> bool {
         match self.code {
             TapeCode::Ascii => byte == b'\n',
@@ -234,6 +237,7 @@ impl<'a> Reader<'a> {
         length.map_or(self.bytes.len(), |length| start + length)
     }
 
+    /// Whether a line begins with `$`, which continues a block (E100L-TAPE-03).
     fn begins_with_dollar(&self, start: usize) -> bool {
         match (self.code, self.bytes.get(start)) {
             (TapeCode::Ascii, Some(byte)) => *byte == b'$',
@@ -267,6 +271,7 @@ impl<'a> Reader<'a> {
         }
         self.at = end + 1;
         self.closed = single;
+        // One block with its continuation lines (E100L-AEXP-12), on the line of its first character (E100L-FMT-04).
         Some(Lines { line, start, end, continued, stray })
     }
 
@@ -397,6 +402,7 @@ impl<'a> Reader<'a> {
                 after_end = true;
                 continue;
             }
+            // The `$` of a continuation line acts as a blank (E100L-AEXP-12).
             buffer.push(if after_end { CONTINUATION } else { character });
             after_end = false;
         }

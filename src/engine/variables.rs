@@ -43,9 +43,12 @@ impl Interpreter<'_> {
     ) -> Result<Operand, Fault> {
         let plain = |value: i64| Ok(Operand::Integer(i32::try_from(value).unwrap_or(i32::MAX)));
         match variable {
+            // Those in use, both integers (E100L-SVTAB-04).
             SystemVariable::OffsetNumber => plain(self.state.offset.into()),
             SystemVariable::ToolNumber => plain(self.state.tool.into()),
+            // 128 while a sequence restart is in progress (E100L-SVAR-11).
             SystemVariable::Restart => plain(if self.setup.inputs.restart { 128 } else { 0 }),
+            // The binary64 number nearest to π (E100L-SVAR-12).
             SystemVariable::Pi => Ok(Operand::Real(std::f64::consts::PI)),
             SystemVariable::FullTurn => Ok(Operand::Real(self.scales.full_turn)),
             SystemVariable::Input | SystemVariable::InputBit | SystemVariable::OutputBit => {
@@ -80,9 +83,12 @@ impl Interpreter<'_> {
             }
             SystemVariable::PitchError(axis) => entry(&state.pitch_errors, axis),
             SystemVariable::Pitch(axis) => state.pitches[usize::from(axis == Axis::Z)],
+            // Where the last motion carried out has ended, in the frame now in force (E100L-SVTAB-02).
             SystemVariable::Commanded(axis) => state.program(axis as usize),
+            // The commanded position in machine coordinates (E100L-SVTAB-03).
             SystemVariable::Actual(Axis::X) => state.machine_x(state.machine[X]),
             SystemVariable::Actual(axis) => state.machine[axis as usize],
+            // The amounts of the offset in use (E100L-SVTAB-04).
             SystemVariable::ActiveOffset(axis) => state.active_offset()[usize::from(axis == Axis::Z)],
             SystemVariable::ToolData(data) => {
                 state.tool_data.get(&(data, index)).copied().unwrap_or_default()
@@ -128,6 +134,7 @@ impl Interpreter<'_> {
             (false, true) => self.units.angle,
             (false, false) => self.units.length,
         };
+        // Dimensions are held in whole increments of 0.001 mm or 0.001 degree (E100L-SVAR-13).
         let increment = if plain { 1 } else { 1000 };
         let (low, high) = variable.range(self.units.inch);
         // The range holds after conversion: a value that rounds into it lies within half an increment.

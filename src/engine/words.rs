@@ -77,6 +77,7 @@ impl Address {
 }
 
 /// A value in expressions.
+/// A logical one is an integer, 1 or 0 (E100L-TYPE-01).
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum Operand {
     /// Binary64, finite.
@@ -248,6 +249,7 @@ impl Parsed {
     }
 
     /// Whether it is no block: without any word, statement or name.
+    /// So an empty line is none (E100L-FMT-04).
     pub fn is_empty(&self) -> bool {
         self.is_only_name() && self.sequence.is_empty() && self.control.is_none()
     }

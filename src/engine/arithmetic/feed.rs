@@ -46,6 +46,7 @@ pub fn path(x: u128, along: u128, reading: FeedLength) -> Measure {
 
 /// The length of a motion with the C axis, in nanometres: 360 degrees count as 500 mm, which is 25/18 nm a
 /// micro-degree. Squares of at most 2^110.
+/// X is a diameter with the C axis too (E100L-DIA-02).
 #[inline]
 #[must_use]
 pub fn path_with_turn(x: u128, along: u128, turn: i64) -> Measure {

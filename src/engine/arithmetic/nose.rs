@@ -6,6 +6,7 @@ use super::plane::{Direction, Point, square};
 
 /// The nose radius, and the way from the tip to the nose centre, from the lengths of the nose along X and Z in
 /// nanometres: those of a set-up or a variable, at most 2^61 in size.
+/// The larger amount is the radius, of a cutter too (E100L-CRC-09).
 #[inline]
 #[must_use]
 pub fn nose([x, z]: [i64; 2]) -> (i64, Point) {

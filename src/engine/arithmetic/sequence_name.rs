@@ -5,6 +5,7 @@ const NUMERALS: usize = 111_110;
 
 /// A number of its own for every name of one to five characters: all digits, or a letter and
 /// alphanumerics.
+/// Names of one value are different if their text is: N0123 and N123 (E100L-SEQ-04).
 #[must_use]
 pub fn index(name: &[u8]) -> usize {
     let digit = |byte: u8| usize::from(byte.wrapping_sub(b'0'));

@@ -31,6 +31,8 @@ pub struct Units {
 
 impl Units {
     /// The units of a unit system.
+    /// An angle 1, that of A among them, is 1 degree, 0.01 degree in 10 µm, 0.001 degree in 1 µm and 1/10000 inch
+    /// (E100L-DTAP-02).
     #[must_use]
     pub fn new(system: UnitSystem) -> Self {
         let (length, angle, feed, time) = match system {

@@ -31,6 +31,8 @@ impl Interpreter<'_> {
                 (first..number)
                     .fold(0, |byte, bit| byte | next(&inputs.vdin, &mut taken.vdin, bit) << (bit - first))
             }
+            // VDIN[10] (E100L-IOV-04), timers (E100L-IOV-05) and specification codes (E100L-IOV-06) are numbers,
+            // those of the set-up, which sees to their ranges.
             _ => next(&inputs.vdin, &mut taken.vdin, number),
         }
     }

@@ -15,6 +15,7 @@ impl Interpreter<'_> {
     /// Carries out PUT.
     pub(super) fn put_characters(&mut self, parsed: &Parsed, put: Put) -> Result<(), Fault> {
         let text = match put {
+            // As many blanks as the length says (E100L-GPUT-08).
             Put::Blanks(length) => vec![b' '; length.into()],
             Put::Text(characters) => parsed.text(characters).to_vec(),
             Put::Number(target, length) => {
@@ -22,6 +23,7 @@ impl Interpreter<'_> {
                 if number.len() > usize::from(length) {
                     return Fault::raise(AlarmName::FieldTooSmall, GPUT_07);
                 }
+                // At the right of its field, as in the lines that the manual prints (E100L-GPUT-12).
                 format!("{number:>0$}", usize::from(length)).into_bytes()
             }
         };

@@ -51,6 +51,7 @@ impl Interpreter<'_> {
         if text.len() > AREA {
             return Fault::raise(AlarmName::ReadTooLong, RDWR_05);
         }
+        // The WRITE area is another one, and stays as it is (E100L-RDWR-03).
         self.communication.unread = text;
         Ok(())
     }
@@ -68,6 +69,7 @@ impl Interpreter<'_> {
     }
 
     /// GET: a number from the READ area into a variable, or over a field (E100L-GPUT-01 to E100L-GPUT-05).
+    /// One behind the other, as the manual's example takes a tool offset out of a message (E100L-GPUT-06).
     fn get_number(
         &mut self,
         parsed: &Parsed,
@@ -85,6 +87,7 @@ impl Interpreter<'_> {
         let Some((field, rest)) = unread.split_at_checked(length) else {
             return Fault::raise(AlarmName::ReadPointer, GPUT_05);
         };
+        // Without a variable the pointer moves over the characters, whatever they are (E100L-GPUT-02).
         let Some(target) = target else {
             self.communication.unread = rest;
             return Ok(());

@@ -21,6 +21,7 @@ pub struct Selecting {
 
 impl Parser<'_> {
     /// Parses a block of a schedule program.
+    /// Its statement stands at the beginning or directly behind the sequence name (E100L-SDF-03).
     pub fn schedule_block(&mut self) -> Result<(), Fault> {
         self.skip_blanks()?;
         if self.peek() == Some(b'/') {
@@ -49,6 +50,7 @@ impl Parser<'_> {
                 self.pass_keyword(keyword)?;
                 Ok(Control::Goto(self.target(GOTO_01)?))
             }
+            // IF as in a main program, in every form (E100L-SDF-16).
             b"IF" => {
                 self.at += run.len();
                 self.branch()
@@ -71,6 +73,7 @@ impl Parser<'_> {
                     let keyword = Label::from_bytes(keyword);
                     Err(Fault::about(AlarmName::StatementDelimiterMissing, CTL_03, keyword))
                 }
+                // A program name among others: a schedule program must not have one (E100L-NAME-06).
                 _ => Err(misplaced(SDF_02)),
             },
         }

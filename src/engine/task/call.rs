@@ -67,6 +67,7 @@ impl<'a> Interpreter<'a> {
     }
 
     /// Goes on with a program; what runs now goes on when it returns.
+    /// Common variables are neither saved nor restored (E100L-CVAR-02).
     pub(super) fn begin_program(&mut self, id: ProgramId, cause: CallCause, modal: Option<ModalCall>) {
         let Some(program) = self.task.programs.as_ref().and_then(|programs| programs.get(id)) else { return };
         let caller = self.task.present;

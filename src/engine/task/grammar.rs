@@ -232,6 +232,7 @@ impl Parser<'_> {
     }
 
     /// What follows IF (E100L-IFST-01, E100L-IFST-02).
+    /// No delimiter is needed between IF and `[`, nor behind `]` (E100L-CTL-04).
     pub(in crate::engine) fn branch(&mut self) -> Result<Control, Fault> {
         self.skip_blanks()?;
         let condition = if self.peek() == Some(b'[') {

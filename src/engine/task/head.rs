@@ -25,6 +25,8 @@ const LOOKED_AT: usize = 6;
 
 impl Head {
     /// The beginning of the block with these characters.
+    /// `O` or `:` in front makes it a name block (E100L-TAPE-03), which a slash before it does not (E100L-CALL-06). A
+    /// sequence name behind a slash is found whatever the switch says (E100L-DEL-04).
     pub fn of(characters: Lenient, block_delete: bool) -> Self {
         let mut rest = characters.peekable();
         skip_blanks(&mut rest);

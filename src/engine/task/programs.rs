@@ -79,6 +79,7 @@ impl<'a> Programs<'a> {
         self.named(name).filter(move |(_, program)| program.text == text)
     }
 
+    /// The programs with a name, which is compared as text (E100L-NAME-04).
     fn named(&self, name: Label) -> impl Iterator<Item = (ProgramId, &Program)> {
         let first = self.programs.partition_point(|program| program.name < name);
         let rest = self.programs.iter().enumerate().skip(first);
@@ -102,6 +103,8 @@ impl<'a> Programs<'a> {
 }
 
 /// Appends the programs of a text.
+/// Each reaches from its name block to the next one or the end of the text (E100L-PROG-03, E100L-CALL-06). What
+/// stands in front of the first one, or behind a name that is not well formed, belongs to none (E100L-NAME-06).
 fn collect(text: usize, mut reader: Reader, block_delete: bool, programs: &mut Vec<Program>) {
     let mut begun: Option<(Label, Mark)> = None;
     let mut end_program = |begun: Option<(Label, Mark)>, end: usize| {

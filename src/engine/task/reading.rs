@@ -167,6 +167,7 @@ impl Interpreter<'_> {
     }
 
     /// Parses a block and takes note of its name; whether nothing of it is carried out.
+    /// The name of a skipped block stays taken (E100L-DEL-04).
     #[inline]
     fn parse(&mut self, slot: &mut Slot, lines: Lines, buffer: &mut Vec<u8>) -> Result<bool, Fault> {
         let text = self.reader.characters(lines, buffer)?;

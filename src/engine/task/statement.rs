@@ -40,10 +40,12 @@ impl Interpreter<'_> {
             Control::Select(selecting) => self.select(parsed, selecting, sink)?,
             Control::Set => self.assignments(parsed, Origin::Schedule, sink)?,
             Control::End => return Ok(Some(self.end_schedule(sink))),
+            // User Task 1 has GOTO and IF (E100L-UT-02), but none of what follows.
             _ if self.options.level_one => {
                 return Err(Fault::about(AlarmName::UserTaskLevel, UT_03, control.word()));
             }
             Control::Transfer(transfer) => return self.transfer(parsed, transfer, sink).map(|()| None),
+            // Common and system variables are set first, here and behind MODIN, and stay set (E100L-CVAR-05).
             Control::Call(name) => {
                 self.assignments(parsed, Origin::Call, sink)?;
                 self.call_by_statement(name, CALL_02, sink)?;
@@ -85,6 +87,7 @@ impl Interpreter<'_> {
     }
 
     /// A macro code, with the program that the set-up gives to it.
+    /// Common variables behind it are set before that begins, and stay set (E100L-CVAR-05).
     fn macro_code(
         &mut self,
         parsed: &Parsed,

@@ -158,6 +158,7 @@ impl Cutter {
 
 impl Interpreter<'_> {
     /// Compensation begins: of a cutter, if its plane is not that of turning.
+    /// A plane code of the block itself has been selected by now, wherever it stands (E100L-CRC-11).
     pub(super) fn begin_with_cutter(&mut self) {
         let plane = match self.state.plane {
             17 => Plane::Face,
