@@ -129,10 +129,12 @@ impl Course {
     pub fn arc_turn(&self, centre: Spot, radius: i64, sense: Sense) -> Result<i64, Fault> {
         let positive = sense == Sense::CounterClockwise;
         let left = match self.bearing {
-            Bearing::Centre | Bearing::Same => return Ok(0),
+            Bearing::Same => return Ok(0),
             Bearing::Left => true,
             Bearing::Right => false,
             Bearing::Opposite => positive,
+            // X is above 0 (E100L-CGF-08), but a point so near that it is the centre when latched.
+            Bearing::Centre => return Err(unspecified(CGF_04, "centre")),
         };
         let distance = square(centre);
         let against = self.bearing != Bearing::Opposite && positive != left;
