@@ -53,7 +53,8 @@ impl Outline {
     pub fn without_standing(mut self) -> Self {
         let mut present = self.start;
         self.elements.retain(|element| {
-            element.arc.is_some() || element.end != std::mem::replace(&mut present, element.end)
+            let from = std::mem::replace(&mut present, element.end);
+            element.arc.is_some() || element.end != from
         });
         self
     }
