@@ -35,7 +35,7 @@ enum Command {
         #[arg(long)]
         tool: Vec<String>,
     },
-    /// The sources of the oracle of which not every mutant has been tried in their present state.
+    /// The sources of which not every mutant has been tried in their present state.
     Untried,
     /// The `outcomes.json` of one run of cargo-mutants, or of its shards, added to what is kept.
     Mutants {

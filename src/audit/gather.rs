@@ -75,13 +75,14 @@ impl Gathered {
         outcomes.flat_map(|outcome| &outcome.cited).copied().collect()
     }
 
-    /// The mutants in the oracle's functions that cite a rule.
+    /// The mutants in the functions that cite a rule, of the oracle and of the engine's arithmetic.
     #[must_use]
     pub fn mutants_of(&self, rule: RuleId) -> Vec<&Mutant> {
-        let (Some(judged), Some(places)) = (&self.mutants, self.oracle.get(&rule)) else { return Vec::new() };
+        let Some(judged) = &self.mutants else { return Vec::new() };
+        let places = || [self.oracle.get(&rule), self.engine.get(&rule)].into_iter().flatten().flatten();
         let concerns = |mutant: &&Mutant| {
             !mutant.function.is_empty()
-                && places.iter().any(|place| place.file == mutant.file() && place.item == mutant.function)
+                && places().any(|place| place.file == mutant.file() && place.item == mutant.function)
         };
         judged.run.mutants.iter().filter(concerns).collect()
     }

@@ -43,7 +43,7 @@ pub struct Matrix {
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct MutantsRecord {
-    /// The sources of the oracle of which no mutant has been tried in their present state.
+    /// The sources of which no mutant has been tried in their present state.
     pub untried: Vec<String>,
     /// How many mutants of the other ones are left to be tried.
     pub left: usize,

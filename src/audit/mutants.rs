@@ -1,4 +1,4 @@
-//! Mutants of the oracle: the outcomes of cargo-mutants, condensed into `evidence/mutants.json`, and the
+//! Mutants of the oracle and of the engine's arithmetic: the outcomes of cargo-mutants and of `mutation/`, condensed into `evidence/mutants.json`, and the
 //! reasons why survivors are no missing examples, in `evidence/survivors.toml`.
 //!
 //! The outcomes of a file stand as long as the file does: examples and tests are only ever added, so that what one of
@@ -12,8 +12,8 @@ use serde_json::Value;
 use super::evidence::{self, State};
 use super::{Fault, Tree, files};
 
-/// Where the oracle's sources are.
-const SOURCES: &str = "spec/src";
+/// What is mutated (`.cargo/mutants.toml`).
+const SOURCES: [&str; 2] = ["spec/src", "src/engine/arithmetic"];
 /// The source that is not mutated: JSON Schemas (`.cargo/mutants.toml`).
 const EXCLUDED: &str = "spec/src/vocabulary/schema.rs";
 const FILE: &str = "evidence/mutants.json";
@@ -74,7 +74,7 @@ fn file_of(name: &str) -> &str {
 }
 
 impl Run {
-    /// The sources of the oracle of which no mutant has been tried in their present state.
+    /// The sources of which no mutant has been tried in their present state.
     ///
     /// # Errors
     /// When a source cannot be read.
@@ -84,7 +84,7 @@ impl Run {
         Ok(current.sources.into_iter().filter(changed).map(|(file, _)| file).collect())
     }
 
-    /// The sources of the oracle of which not every mutant has been tried in their present state.
+    /// The sources of which not every mutant has been tried in their present state.
     ///
     /// # Errors
     /// When a source cannot be read.
@@ -117,7 +117,7 @@ impl Run {
 pub struct Judged {
     /// The run, without the mutants of files that have changed since.
     pub run: Run,
-    /// The sources of the oracle of which no mutant has been tried in their present state.
+    /// The sources of which no mutant has been tried in their present state.
     pub untried: Vec<String>,
     /// Why a survivor changes nothing that a program could observe, by its name.
     pub reasons: BTreeMap<String, String>,
@@ -201,12 +201,15 @@ pub fn read(tree: &Tree) -> Result<Option<Judged>, Fault> {
     }))
 }
 
-/// The sources of the oracle that are mutated.
+/// The sources that are mutated.
 ///
 /// # Errors
 /// When a folder cannot be read.
 pub fn sources(tree: &Tree) -> Result<Vec<String>, Fault> {
-    let mut sources = files::below(&tree.root, SOURCES).map_err(|error| Fault::about(SOURCES, error))?;
+    let mut sources = Vec::new();
+    for folder in SOURCES {
+        sources.extend(files::below(&tree.root, folder).map_err(|error| Fault::about(folder, error))?);
+    }
     sources.retain(|file| file.ends_with(".rs") && file != EXCLUDED);
     Ok(sources)
 }

@@ -209,7 +209,7 @@ fn score(judged: &Judged, unexplained: usize) -> String {
     let missed = count(mutants::Outcome::Missed);
     let percent = (killed * 1000).checked_div(killed + missed).unwrap_or(0);
     format!(
-        "of {} mutants of the oracle that compile, {killed} are killed ({}.{} %; {} of them by a time-out), {missed} \
+        "of {} mutants of the oracle and of the engine's arithmetic that compile, {killed} are killed ({}.{} %; {} of them by a time-out), {missed} \
          survive: {} for a stated reason, {unexplained} without one",
         killed + missed,
         percent / 10,

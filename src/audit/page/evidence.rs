@@ -130,7 +130,7 @@ fn mutants(gathered: &Gathered) -> Markup {
         section id="mutants" {
             h2 { "Mutants" }
             @if let Some(judged) = &gathered.mutants {
-                p { (judged.run.tool) " changed one place of the oracle at a time; a test has to fail ("
+                p { (judged.run.tool) " changed one place of the oracle or of the engine's arithmetic at a time; a test has to fail ("
                     code { "scripts/mutants.sh" } "). A survivor is a missing example, unless a reason says why nothing \
                     observable changed." }
                 @if !judged.untried.is_empty() {

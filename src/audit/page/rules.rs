@@ -19,7 +19,7 @@ pub fn section(gathered: &Gathered, matrix: &Matrix) -> Markup {
             h2 { "Rules" }
             p.note {
                 "Ex. and Cases: how many passed in this audit, of how many. Prop. and Proofs: how many support the \
-                 rule. Mutants: killed of those that compile, in the functions of the oracle that cite the rule. \
+                 rule. Mutants: killed of those that compile, in the functions that cite the rule. \
                  A line opens to the text and the evidence; what is filtered out is not printed."
             }
             @if let Some(mutants) = &matrix.mutants {
