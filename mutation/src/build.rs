@@ -1,4 +1,4 @@
-//! The oracle with all of its mutants, in a folder of its own; what does not compile is taken out again.
+//! A package with all of its mutants, in a folder of its own; what does not compile is taken out again.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -13,9 +13,8 @@ use serde_json::Value;
 use crate::fault::Fault;
 use crate::list::{self, Mutant};
 use crate::rewrite::{Rewritten, rewrite};
+use crate::subject::Subject;
 
-const PACKAGE: &str = "turnspec-oracle";
-const ROOT: &str = "spec/src/lib.rs";
 /// Each check takes out at least one mutant; errors of later stages of the compiler show when those of earlier ones are gone.
 const CHECKS: usize = 60;
 
@@ -56,8 +55,9 @@ pub struct Built {
     pub unviable: BTreeSet<usize>,
 }
 
-/// A tree with the oracle's package, to be filled with mutants.
+/// A copy of the tree, to be filled with mutants.
 pub struct Workshop {
+    subject: &'static Subject,
     /// Its root.
     pub root: PathBuf,
     /// Where the compiler writes.
@@ -69,13 +69,19 @@ impl Workshop {
     ///
     /// # Errors
     /// When something cannot be read or written.
-    pub fn new(tree: &Path, root: &Path, mutants: &[Mutant]) -> Result<Self, Fault> {
+    pub fn new(
+        subject: &'static Subject,
+        tree: &Path,
+        root: &Path,
+        mutants: &[Mutant],
+    ) -> Result<Self, Fault> {
         let filled: BTreeSet<&str> = mutants.iter().map(|mutant| mutant.file.as_str()).collect();
         let listed = Command::new("git").args(["ls-files", "-z"]).current_dir(tree).output();
         let listed = listed.map_err(|error| Fault::about("git ls-files", error))?;
         let names = String::from_utf8_lossy(&listed.stdout).into_owned();
-        for name in
-            names.split('\0').filter(|name| !name.is_empty() && !filled.contains(name) && *name != ROOT)
+        for name in names
+            .split('\0')
+            .filter(|name| !name.is_empty() && !filled.contains(name) && *name != subject.root)
         {
             let (from, to) = (tree.join(name), root.join(name));
             let Ok(bytes) = fs::read(&from) else { continue };
@@ -85,17 +91,27 @@ impl Workshop {
             }
             write(&to, &bytes)?;
         }
-        Ok(Self { root: root.to_owned(), target: root.join("target") })
+        Ok(Self { subject, root: root.to_owned(), target: root.join("target") })
     }
 
-    /// A cargo command on the oracle's package.
+    /// A cargo command in the copy.
     #[must_use]
-    pub fn cargo(&self, subcommand: &str) -> Command {
+    pub fn cargo(&self, subcommand: &str, arguments: &[&str]) -> Command {
         let mut command = Command::new("cargo");
-        command.arg(subcommand).args(["--profile", "mutants", "--package", PACKAGE]);
-        command.args(["--message-format", "json"]).current_dir(&self.root).stdin(Stdio::null());
+        command
+            .args([subcommand, "--locked", "--profile", "mutants", "--message-format", "json"])
+            .args(arguments);
+        command.current_dir(&self.root).stdin(Stdio::null());
         command.env("CARGO_TARGET_DIR", &self.target).env("CARGO_PROFILE_MUTANTS_OPT_LEVEL", "2");
         command.env("CARGO_PROFILE_MUTANTS_INCREMENTAL", "false").env("RUSTFLAGS", "--cap-lints allow");
+        command
+    }
+
+    /// A cargo command that builds the tests.
+    #[must_use]
+    pub fn tests(&self) -> Command {
+        let mut command = self.cargo("test", self.subject.tests);
+        command.arg("--no-run");
         command
     }
 
@@ -150,6 +166,7 @@ impl Workshop {
     }
 
     fn write(&self, tree: &Path, sources: &BTreeMap<&str, Rewritten>, count: usize) -> Result<(), Fault> {
+        let root = self.subject.root;
         let put = |file: &str, text: &str| {
             let path = self.root.join(file);
             if fs::read_to_string(&path).is_ok_and(|there| there == text) {
@@ -157,18 +174,21 @@ impl Workshop {
             }
             write(&path, text.as_bytes())
         };
-        for (file, source) in sources.iter().filter(|(file, _)| **file != ROOT) {
+        for (file, source) in sources.iter().filter(|(file, _)| **file != root) {
             put(file, &source.text)?;
         }
-        let root = match sources.get(ROOT) {
+        let text = match sources.get(root) {
             Some(source) => source.text.clone(),
-            None => fs::read_to_string(tree.join(ROOT)).map_err(|error| Fault::about(ROOT, error))?,
+            None => fs::read_to_string(tree.join(root)).map_err(|error| Fault::about(root, error))?,
         };
-        put(ROOT, &format!("{root}{}", SWITCH.replace("COUNT", &count.max(1).to_string())))
+        put(root, &format!("{text}{}", SWITCH.replace("COUNT", &count.max(1).to_string())))
     }
 
     fn errors(&self) -> Result<Vec<CompileError>, Fault> {
-        let output = self.cargo("check").output().map_err(|error| Fault::about("cargo check", error))?;
+        let output = self
+            .cargo("check", self.subject.check)
+            .output()
+            .map_err(|error| Fault::about("cargo check", error))?;
         let text = String::from_utf8_lossy(&output.stdout);
         let mut errors = Vec::new();
         for line in text.lines() {

@@ -1,4 +1,4 @@
-//! Tries every mutant of the oracle that `cargo mutants --list --json` names, in one build (README.md).
+//! Tries every mutant that `cargo mutants --list --json` names, in one build (README.md).
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -13,17 +13,22 @@ mod build;
 mod fault;
 mod list;
 mod rewrite;
+mod subject;
 mod trial;
 
 use build::Workshop;
 use fault::Fault;
 use list::Mutant;
+use subject::Package;
 use trial::{Judged, Tests};
 
-/// Tries the mutants of the oracle in one build.
+/// Tries the mutants of a package in one build.
 #[derive(Parser)]
 struct Cli {
-    /// What `cargo mutants -p turnspec-oracle --list --json` says.
+    /// The package.
+    #[arg(long)]
+    package: Package,
+    /// What `cargo mutants --package … --list --json` says of it.
     #[arg(long)]
     list: PathBuf,
     /// The folder to work in; it is kept, so that the next run compiles less.
@@ -55,8 +60,13 @@ fn main() -> ExitCode {
 
 fn attempt(cli: &Cli) -> Result<(), Fault> {
     let mutants = list::read(&cli.list)?;
+    let named = |name: &str| cli.only.iter().any(|only| name.contains(only));
+    let wanted = |number: &usize| cli.only.is_empty() || named(&mutants[*number].name);
+    if !(0..mutants.len()).any(|number| wanted(&number)) {
+        return write(cli, &Report::default());
+    }
     let tree = Path::new(".");
-    let shop = Workshop::new(tree, &cli.work, &mutants)?;
+    let shop = Workshop::new(cli.package.subject(), tree, &cli.work, &mutants)?;
     let built = shop.fill(tree, &mutants)?;
     eprintln!(
         "{} mutants, {} in the build, {} do not compile",
@@ -66,8 +76,6 @@ fn attempt(cli: &Cli) -> Result<(), Fault> {
     );
     let tests = Tests::build(&shop)?;
     eprintln!("{} tests", tests.count());
-    let named = |name: &str| cli.only.iter().any(|only| name.contains(only));
-    let wanted = |number: &usize| cli.only.is_empty() || named(&mutants[*number].name);
     let numbers: Vec<usize> = built.placed.iter().copied().filter(wanted).collect();
     let report = Mutex::new(Report::default());
     let note = |number: usize, summary: &'static str, test: &str| {
@@ -88,6 +96,10 @@ fn attempt(cli: &Cli) -> Result<(), Fault> {
     left.iter().for_each(|number| println!("{}", mutants[*number].name));
     let report = report.into_inner().unwrap_or_default();
     eprintln!("{:?}, {} left", report.counts, left.len());
+    write(cli, &report)
+}
+
+fn write(cli: &Cli, report: &Report) -> Result<(), Fault> {
     let text = json!({ "outcomes": report.outcomes, "cargo_mutants_version": cli.version }).to_string();
     fs::write(&cli.outcomes, text).map_err(|error| Fault::about(cli.outcomes.display(), error))
 }

@@ -35,14 +35,15 @@ pub enum Judged<'a> {
 /// A test, and which mutants it passes by.
 struct Test {
     binary: PathBuf,
+    /// The package, where cargo runs it.
+    folder: PathBuf,
     name: String,
     takes: Duration,
     reaches: BTreeSet<usize>,
 }
 
-/// The tests of the oracle, built with its mutants.
+/// The tests of a package, built with its mutants.
 pub struct Tests {
-    folder: PathBuf,
     tests: Vec<Test>,
 }
 
@@ -52,23 +53,25 @@ impl Tests {
     /// # Errors
     /// When they cannot be built, or one fails.
     pub fn build(shop: &Workshop) -> Result<Self, Fault> {
-        let mut command = shop.cargo("test");
-        let output = command.args(["--lib", "--tests", "--no-run"]).output();
-        let output = output.map_err(|error| Fault::about("cargo test", error))?;
+        let output = shop.tests().output().map_err(|error| Fault::about("cargo test", error))?;
         if !output.status.success() {
             return Err(Fault::about("cargo test", String::from_utf8_lossy(&output.stderr)));
         }
-        let folder = shop.root.join("spec");
         let mut tests = Vec::new();
         for line in String::from_utf8_lossy(&output.stdout).lines() {
             let Ok(message) = serde_json::from_str::<Value>(line) else { continue };
-            let Some(binary) = message["executable"].as_str() else { continue };
+            let (Some(binary), Some(manifest)) =
+                (message["executable"].as_str(), message["manifest_path"].as_str())
+            else {
+                continue;
+            };
             let listed = Command::new(binary).args(["--list", "--format", "terse"]).output();
             let listed = listed.map_err(|error| Fault::about(binary, error))?;
             for line in String::from_utf8_lossy(&listed.stdout).lines() {
                 if let Some(name) = line.strip_suffix(": test") {
                     tests.push(Test {
                         binary: binary.into(),
+                        folder: Path::new(manifest).parent().unwrap_or(&shop.root).to_owned(),
                         name: name.to_owned(),
                         takes: Duration::ZERO,
                         reaches: BTreeSet::new(),
@@ -80,7 +83,7 @@ impl Tests {
         for test in &mut tests {
             let _ = fs::remove_file(&reached);
             let begun = Instant::now();
-            let passed = run(&folder, test, ("TURNSPEC_REACHED", &reached.to_string_lossy()), PATIENCE * 30);
+            let passed = run(test, ("TURNSPEC_REACHED", &reached.to_string_lossy()), PATIENCE * 30);
             if passed != Some(true) {
                 return Err(Fault::about(&test.name, "fails without a mutant"));
             }
@@ -89,7 +92,7 @@ impl Tests {
             test.reaches = text.lines().filter_map(|line| line.parse().ok()).collect();
         }
         tests.sort_by_key(|test| test.takes);
-        Ok(Self { folder, tests })
+        Ok(Self { tests })
     }
 
     /// How many there are.
@@ -124,7 +127,7 @@ impl Tests {
             }
             reached = true;
             let patience = PATIENCE.max(test.takes * 10);
-            let passed = run(&self.folder, test, ("TURNSPEC_MUTANT", &mutant.to_string()), patience);
+            let passed = run(test, ("TURNSPEC_MUTANT", &mutant.to_string()), patience);
             if passed == Some(true) {
                 continue;
             }
@@ -136,10 +139,10 @@ impl Tests {
 }
 
 /// Whether the test passes; nothing if it does not come to an end.
-fn run(folder: &Path, test: &Test, variable: (&str, &str), patience: Duration) -> Option<bool> {
+fn run(test: &Test, variable: (&str, &str), patience: Duration) -> Option<bool> {
     let mut command = Command::new("sh");
     command.args(["-c", &format!("ulimit -v {MEMORY}; exec \"$@\""), "sh"]).arg(&test.binary);
-    command.args(["--exact", &test.name, "--test-threads", "1"]).current_dir(folder);
+    command.args(["--exact", &test.name, "--test-threads", "1"]).current_dir(&test.folder);
     command.env(variable.0, variable.1).env("PROPTEST_FAILURE_PERSISTENCE", "off");
     command.stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null());
     let Ok(mut child) = command.spawn() else { return Some(false) };
