@@ -45,9 +45,9 @@ enum Command {
         /// The state that was taken before.
         #[arg(long)]
         state: PathBuf,
-        /// What `cargo mutants --list --json` says.
+        /// What `cargo mutants --list --json` says of each package.
         #[arg(long)]
-        list: PathBuf,
+        list: Vec<PathBuf>,
     },
     /// The output of `cargo metadata --format-version 1`.
     Licences {
@@ -86,7 +86,8 @@ fn condense(command: &Command) -> Result<String, Fault> {
         }
         Command::Mutants { outcomes, state, list } => {
             let texts = outcomes.iter().map(|file| read(file)).collect::<Result<Vec<_>, _>>()?;
-            let run = mutants::condense(mutants::kept(&tree()?)?, &texts, &read(list)?, unchanged(state)?)?;
+            let lists = list.iter().map(|file| read(file)).collect::<Result<Vec<_>, _>>()?;
+            let run = mutants::condense(mutants::kept(&tree()?)?, &texts, &lists, unchanged(state)?)?;
             run.json().map_err(|error| Fault::about("output", error))
         }
         Command::Licences { metadata } => json(&packages::condense_licences(&read(metadata)?)?),

@@ -24,10 +24,12 @@ case " $* " in
 esac
 
 outcomes=()
+lists=()
 for package in turnspec-oracle turnspec; do
     of=$output/$package
     mkdir "$of"
     cargo mutants -p "$package" --list --json >"$of/list.json"
+    lists+=(--list "$of/list.json")
     cargo run --locked --quiet -p turnspec-mutation -- --package "$package" --list "$of/list.json" \
         --work "$work/$package" --version "$(cargo mutants --version | cut -d' ' -f2)" \
         --outcomes "$of/built.json" "${only[@]}" "$@" >"$of/left.txt"
@@ -46,7 +48,6 @@ for package in turnspec-oracle turnspec; do
     fi
 done
 
-jq -s add "$output"/*/list.json >"$output/list.json"
 mkdir -p evidence
-condense mutants "${outcomes[@]}" --state "$output/state.json" --list "$output/list.json" >evidence/mutants.json.new
+condense mutants "${outcomes[@]}" --state "$output/state.json" "${lists[@]}" >evidence/mutants.json.new
 mv evidence/mutants.json.new evidence/mutants.json

@@ -215,12 +215,17 @@ pub fn sources(tree: &Tree) -> Result<Vec<String>, Fault> {
 }
 
 /// Adds the outcomes of one or several runs of cargo-mutants on the present sources, such as the shards of one, to what
-/// is kept. `state` is that of [`sources`], `list` what `cargo mutants --list --json` says. Kept is what belongs to the mutants
+/// is kept. `state` is that of [`sources`], `lists` what `cargo mutants --list --json` says of each package. Kept is what belongs to the mutants
 /// of the list, of files that have not changed since.
 ///
 /// # Errors
 /// Names the first thing that is not as cargo-mutants writes it.
-pub fn condense(kept: Option<Run>, outcomes: &[String], list: &str, mut state: State) -> Result<Run, Fault> {
+pub fn condense(
+    kept: Option<Run>,
+    outcomes: &[String],
+    lists: &[String],
+    mut state: State,
+) -> Result<Run, Fault> {
     let (mut known, mut version) = (BTreeMap::new(), String::new());
     if let Some(kept) = kept {
         let fresh = |mutant: &Mutant| {
@@ -245,7 +250,11 @@ pub fn condense(kept: Option<Run>, outcomes: &[String], list: &str, mut state: S
             known.insert(read.name.clone(), read);
         }
     }
-    let listed: Vec<Listed> = serde_json::from_str(list).map_err(|error| Fault::about("list", error))?;
+    let mut listed: Vec<Listed> = Vec::new();
+    for list in lists {
+        let of: Vec<Listed> = serde_json::from_str(list).map_err(|error| Fault::about("list", error))?;
+        listed.extend(of);
+    }
     let mut names: BTreeMap<&str, BTreeSet<&str>> = BTreeMap::new();
     for each in &listed {
         names.entry(&each.file).or_default().insert(&each.name);
@@ -345,13 +354,14 @@ mod tests {
     fn outcomes_are_condensed_in_order() {
         let text = outcomes(&[("b.rs:1:2: c", "MissedMutant"), ("a.rs:1:2: c", "Timeout")]);
         let sources = state(&[("a.rs", "1"), ("b.rs", "1")]);
-        let run = condense(None, &[text], &list(&["a.rs:1:2: c", "b.rs:1:2: c"]), sources).expect("outcomes");
+        let run = condense(None, &[text], &[list(&["a.rs:1:2: c"]), list(&["b.rs:1:2: c"])], sources)
+            .expect("outcomes");
         assert_eq!(names(&run), [("a.rs:1:2: c", Outcome::Timeout), ("b.rs:1:2: c", Outcome::Missed)]);
         assert_eq!(run.mutants[0].file(), "a.rs");
         let read: Run = serde_json::from_str(&run.json().expect("JSON")).expect("the same shape");
         assert_eq!(read, run);
         for broken in ["{}", "["] {
-            assert!(condense(None, &[broken.to_owned()], "[]", State::default()).is_err());
+            assert!(condense(None, &[broken.to_owned()], &[], State::default()).is_err());
         }
     }
 
@@ -370,7 +380,7 @@ mod tests {
         let text = outcomes(&[("a.rs:2", "CaughtMutant"), ("b.rs:1", "CaughtMutant")]);
         let all = list(&["a.rs:1", "a.rs:2", "b.rs:1", "c.rs:1", "c.rs:2", "e.rs:1"]);
         let now = state(&[("a.rs", "1"), ("b.rs", "2"), ("c.rs", "1"), ("d.rs", "1"), ("e.rs", "1")]);
-        let run = condense(Some(kept), &[text], &all, now).expect("outcomes");
+        let run = condense(Some(kept), &[text], &[all], now).expect("outcomes");
         assert_eq!(
             names(&run),
             [
