@@ -33,8 +33,8 @@ linear x=30 z=-10 pass=1 part=contour
     }
 }
 
-/// Section 14: a `cut` cites E100L-AP4-05 with more than one stretch. In front of the groove, Ø24 is cut in two; Ø28, above
-/// the groove's blank of Ø24 everywhere else, in one without it.
+/// Section 14: a `cut` cites E100L-AP4-05 with more than one stretch. With a groove of the blank Ø24 is cut in two, without
+/// it in one.
 #[test]
 fn a_cut_of_one_stretch_does_not_cite_the_air() {
     let program = |groove: &str| {

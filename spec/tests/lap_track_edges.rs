@@ -195,6 +195,46 @@ rapid x=72.2 z=-29.9 pass=1 part=relief
     );
 }
 
+/// The same over the end of the contour, (30, −30): the circle is on the half-line that rises from it before the end is.
+#[test]
+fn a_circle_meets_the_half_line_before_the_end_beside_it() {
+    holds(
+        &program("20", "X60 Z0\nZ-20\nG03 X82 Z-30 K-10\n", "Z-30\nX30\n", "D8"),
+        "...
+linear x=52 z=-20 pass=1 part=cut
+arc x=72 z=-30 sense=ccw cx=52 cz=-30 pass=1 part=cut
+rapid x=72.2 z=-29.9 pass=1 part=relief
+...",
+    );
+}
+
+/// At Z−30 an arc of the blank ends beside its circle, and the next one, of radius 10, begins over its centre: in K1 from
+/// Ø72 to Ø74. The contour, at Ø73, is not below all of that, and is below K1 at once behind it. It is left there, and met
+/// where the second arc is 9.5 over its centre, √9.75 behind it. That cut is one piece (section 8), as high as its ends, so
+/// that the relief has lifted the tool far enough.
+#[test]
+fn a_cut_that_begins_over_its_centre_is_as_high_as_its_ends() {
+    holds(
+        &program(
+            "20",
+            "X60 Z0\nZ-20\nG03 X82 Z-30 K-10\nX62 Z-40 I-10 K0\nG01 Z-60\n",
+            "Z-25\nX73\nZ-60\n",
+            "D8",
+        ),
+        "...
+linear x=73 z=-25 pass=5 part=contour
+linear x=73 z=-30 pass=5 part=contour
+arc x=73 z=-33.122499 sense=ccw cx=54 cz=-30 pass=5 part=cut
+rapid x=73.2 z=-33.022499 pass=5 part=relief
+rapid x=73.2 z=-30 pass=5 part=return
+linear x=73 z=-30 pass=5 part=return
+linear x=73 z=-60 pass=5 part=contour
+rapid x=73.1 z=-59.9 pass=5 part=relief
+rapid x=120 z=9 part=home
+end",
+    );
+}
+
 /// The last element of this contour is an arc whose circle comes to Ø40 at Z−30, and whose end is Ø42. Between them K1, at
 /// Ø41, meets neither contour nor half-line: it is cut to its last point with no more run than the end (section 12).
 fn over_a_loose_end(blank: &str) -> String {
