@@ -1,6 +1,6 @@
 //! A source with all of its mutants: each change stands beside the text that it replaces, behind a switch.
 //!
-//! `a < b` becomes `(if crate::mutant::on(7) { a <= b } else { a < b })`. A changed copy is the original text: only one
+//! `a < b` becomes `(if crate::mutant::on(7) { a <= b } else { a < b })`. A changed copy is else the original text: only one
 //! mutant is ever on, so that a copy needs none of the others, and the size stays in proportion to the depth of nesting.
 //! Nothing is moved to another line.
 
@@ -38,7 +38,8 @@ pub fn rewrite(
     without: &BTreeSet<usize>,
 ) -> Result<Rewritten, syn::Error> {
     let file = syn::parse_file(source)?;
-    let mut rewriter = Rewriter { list, mutants, without, edits: Vec::new(), nodes: Vec::new() };
+    let mut rewriter =
+        Rewriter { list, mutants, without, edits: Vec::new(), nodes: Vec::new(), in_chain: false };
     rewriter.visit_file(&file);
     Ok(rewriter.render(source))
 }
@@ -56,6 +57,8 @@ struct Rewriter<'a> {
     /// In the order of the visit: in front of a node outside in, behind it inside out.
     edits: Vec<Edit>,
     nodes: Vec<(Range<usize>, Vec<usize>)>,
+    /// Whether the expression to be visited is an operand of a chain that has its copies.
+    in_chain: bool,
 }
 
 fn on(number: usize) -> String {
@@ -167,18 +170,42 @@ impl Rewriter<'_> {
         }
     }
 
-    fn binary(&self, expression: &syn::ExprBinary) -> Vec<(usize, TokenStream)> {
-        if holds_let(&expression.left) || holds_let(&expression.right) {
-            return Vec::new();
+    /// The mutants of the operators of a chain, each a copy of the whole chain: another operator may bind otherwise.
+    fn chain(&self, whole: &syn::ExprBinary) -> Vec<(usize, TokenStream)> {
+        let mut copies = Vec::new();
+        for operator in operators(whole) {
+            let place = operator.span().start();
+            for number in self.at(place, Genre::BinaryOperator) {
+                let Ok(other) = self.list[number].replacement.parse() else { continue };
+                copies.push((number, with_operator(whole, place, &other)));
+            }
         }
-        let mutants = self.at(expression.op.span().start(), Genre::BinaryOperator);
-        let copy = |number: usize| {
-            let op: TokenStream = self.list[number].replacement.parse().ok()?;
-            let (left, right) = (&expression.left, &expression.right);
-            Some((number, quote!(#left #op #right)))
-        };
-        mutants.into_iter().filter_map(copy).collect()
+        copies
     }
+}
+
+/// The operators of a chain: those outside of brackets.
+fn operators(whole: &syn::ExprBinary) -> Vec<&syn::BinOp> {
+    let side = |side| match side {
+        &syn::Expr::Binary(ref part) => operators(part),
+        _ => Vec::new(),
+    };
+    let mut found = side(&whole.left);
+    found.push(&whole.op);
+    found.extend(side(&whole.right));
+    found
+}
+
+/// The text of a chain, with another operator at a place.
+fn with_operator(whole: &syn::ExprBinary, place: LineColumn, other: &TokenStream) -> TokenStream {
+    let side = |side: &syn::Expr| match side {
+        syn::Expr::Binary(part) => with_operator(part, place, other),
+        _ => side.to_token_stream(),
+    };
+    let (left, right) = (side(&whole.left), side(&whole.right));
+    let own = whole.op.to_token_stream();
+    let operator = if whole.op.span().start() == place { other } else { &own };
+    quote!(#left #operator #right)
 }
 
 /// Whether `let` stands in a chain of conditions, which can only stand there.
@@ -224,8 +251,16 @@ impl<'ast> Visit<'ast> for Rewriter<'_> {
     }
 
     fn visit_expr_binary(&mut self, expression: &'ast syn::ExprBinary) {
-        let copies = self.binary(expression);
-        self.around(expression, copies, |own| visit::visit_expr_binary(own, expression));
+        let in_chain = std::mem::take(&mut self.in_chain);
+        let stands_alone = !in_chain && !holds_let(&expression.left) && !holds_let(&expression.right);
+        let copies = if stands_alone { self.chain(expression) } else { Vec::new() };
+        self.around(expression, copies, |own| {
+            for side in [&expression.left, &expression.right] {
+                own.in_chain = (in_chain || stands_alone) && matches!(**side, syn::Expr::Binary(_));
+                own.visit_expr(side);
+            }
+        });
+        self.in_chain = false;
     }
 
     fn visit_expr_unary(&mut self, expression: &'ast syn::ExprUnary) {
