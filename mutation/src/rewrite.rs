@@ -186,13 +186,14 @@ impl Rewriter<'_> {
 
 /// The operators of a chain: those outside of brackets.
 fn operators(whole: &syn::ExprBinary) -> Vec<&syn::BinOp> {
-    let side = |side| match side {
-        &syn::Expr::Binary(ref part) => operators(part),
-        _ => Vec::new(),
-    };
-    let mut found = side(&whole.left);
+    let mut found = Vec::new();
+    if let syn::Expr::Binary(left) = &*whole.left {
+        found.extend(operators(left));
+    }
     found.push(&whole.op);
-    found.extend(side(&whole.right));
+    if let syn::Expr::Binary(right) = &*whole.right {
+        found.extend(operators(right));
+    }
     found
 }
 

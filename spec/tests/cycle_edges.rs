@@ -176,3 +176,21 @@ fn a_cycle_forgets_the_corner_before_it() {
         assert!(!cites(&program, basic, "linear line=4", "E100L-CHAM-13"), "{cycle}");
     }
 }
+
+/// MCYC-01: the motion mode stays beneath a cycle, whose blocks are no contour blocks (section 2 of the execution): that G132 could
+/// not be commanded in G18 (CGS-08) is nothing to the hole, which is drilled to X90.
+#[test]
+fn a_cycle_block_in_a_motion_mode_of_contours_is_no_contour_block() {
+    let start = "M110\nG94 G00 X100 Z50 F100 SB=400\nG119 G132\nG18\n";
+    let setup = "[parameters]\nside_contour_mode = true\n";
+    holds(
+        &format!("{start}G181 X90 Z40 C0 K1\nG180\nG00 X200 Z200\nM02\n"),
+        setup,
+        "...\nlinear x=90 z=40 part=cut line=5\n...\nend code=M02",
+    );
+    holds(
+        &format!("{start}X90 Z40 C0 L10\nM02\n"),
+        setup,
+        "...\nalarm name=contour_command_unusable line=5 rules=E100L-CGS-08",
+    );
+}

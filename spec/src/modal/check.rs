@@ -64,7 +64,7 @@ impl Plan {
 
     /// Whether it generates a contour with the C axis.
     pub fn is_contour(&self) -> bool {
-        self.moves && self.one_shot.is_none() && contour::is_mode(self.motion())
+        self.moves && self.one_shot.is_none() && self.cycle.is_none() && contour::is_mode(self.motion())
     }
 
     /// Whether it is a compound thread cycle.
