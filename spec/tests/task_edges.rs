@@ -1,0 +1,64 @@
+//! The user task at its edges: the rules that an assignment cites, and what system variables read as. All values follow by
+//! hand from local-variables.md and expressions.md.
+
+use turnspec_oracle::vocabulary::notation::render;
+use turnspec_oracle::vocabulary::{Action, Angle, Event, Setup, UnitSystem, Value};
+
+fn trace(program: &str, setup: &Setup) -> Vec<Event> {
+    let mut trace = Vec::new();
+    turnspec_oracle::run(program.as_bytes(), setup, &mut |event: &Event| trace.push(*event));
+    trace
+}
+
+fn in_system(unit_system: UnitSystem) -> Setup {
+    Setup { unit_system, ..Setup::default() }
+}
+
+/// E100L-LVAR-10 and E100L-LVAR-11 are about subprograms: the main program cites neither, when it registers and when it
+/// changes an entry.
+#[test]
+fn a_local_variable_of_the_main_program_is_none_of_a_subprogram() {
+    let events = trace("EF=1\nEF=2\nM02\n", &Setup::default());
+    let cites = |index: usize, rule: &str| {
+        events.get(index).is_some_and(|event| event.rules.as_slice().iter().any(|each| each.as_str() == rule))
+    };
+    assert!(cites(0, "E100L-LVAR-04") && cites(1, "E100L-LVAR-06"), "{events:?}");
+    for index in 0..2 {
+        assert!(!cites(index, "E100L-LVAR-10") && !cites(index, "E100L-LVAR-11"), "{events:?}");
+    }
+}
+
+/// E100L-TYPE-13: C in thousandths of a degree is an integer, whose sum with the greatest one overflows (E100L-TYPE-08);
+/// in degrees, and in hundredths, it is a real.
+#[test]
+fn thousandths_of_a_degree_are_integers() {
+    for (unit_system, overflows) in [
+        (UnitSystem::Micrometre, true),
+        (UnitSystem::TenThousandthInch, true),
+        (UnitSystem::TenMicrometre, false),
+        (UnitSystem::Millimetre, false),
+        (UnitSystem::Inch, false),
+    ] {
+        let mut setup = in_system(unit_system);
+        setup.zero_offset.c = Angle(30_000_000);
+        let events = trace("V1=$7FFFFFFF+VZOFC\nM02\n", &setup);
+        let first = events.first().map(render).unwrap_or_default();
+        assert_eq!(first.starts_with("alarm name=integer_overflow"), overflows, "{unit_system:?}: {first}");
+    }
+}
+
+/// E100L-TYPE-13: whatever a shift reads as that has no place in 32 bits, it has the sign of the shift. Each of eleven G50
+/// shifts by 199999.998 mm more (E100L-G50-01); 2^31 increments of the 1 µm system are 2147483.648 mm.
+#[test]
+fn a_shift_beyond_32_bits_reads_with_its_sign() {
+    let setup = in_system(UnitSystem::Micrometre);
+    for (there, back, positive) in [("", "-", true), ("-", "", false)] {
+        let shift = format!("G00 X{there}99999999\nG50 X{back}99999999\n");
+        let program = format!("{}V1=VZSHX\nM02\n", shift.repeat(11));
+        let read = trace(&program, &setup).into_iter().find_map(|event| match event.action {
+            Action::Variable { value: Value::Real(value), .. } => Some(value),
+            _ => None,
+        });
+        assert_eq!(read.map(|value| value > 0.0), Some(positive), "{read:?}");
+    }
+}
