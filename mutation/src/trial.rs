@@ -2,6 +2,7 @@
 
 use std::collections::BTreeSet;
 use std::fs;
+use std::os::unix::process::ExitStatusExt;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -13,9 +14,10 @@ use serde_json::Value;
 use crate::build::Workshop;
 use crate::fault::Fault;
 
-/// A test has this long, and at least ten times as long as without a mutant.
-const PATIENCE: Duration = Duration::from_secs(10);
-const POLL: Duration = Duration::from_millis(2);
+/// Seconds of the processor that a test has, and at least ten times what it takes without a mutant.
+const PATIENCE: u64 = 10;
+/// What a process dies of that has had them all.
+const OUT_OF_TIME: i32 = 24;
 /// Kilobytes of memory that a test may take.
 const MEMORY: &str = "4000000";
 
@@ -126,7 +128,7 @@ impl Tests {
                 continue;
             }
             reached = true;
-            let patience = PATIENCE.max(test.takes * 10);
+            let patience = PATIENCE.max((test.takes * 10).as_secs());
             let passed = run(test, ("TURNSPEC_MUTANT", &mutant.to_string()), patience);
             if passed == Some(true) {
                 continue;
@@ -138,25 +140,17 @@ impl Tests {
     }
 }
 
-/// Whether the test passes; nothing if it does not come to an end.
-fn run(test: &Test, variable: (&str, &str), patience: Duration) -> Option<bool> {
+/// Whether the test passes; nothing if it does not come to an end. The time is that of the processor, whatever else it does.
+fn run(test: &Test, variable: (&str, &str), seconds: u64) -> Option<bool> {
     let mut command = Command::new("sh");
-    command.args(["-c", &format!("ulimit -v {MEMORY}; exec \"$@\""), "sh"]).arg(&test.binary);
+    let limits = format!("ulimit -v {MEMORY}; ulimit -St {seconds}; exec \"$@\"");
+    command.args(["-c", &limits, "sh"]).arg(&test.binary);
     command.args(["--exact", &test.name, "--test-threads", "1"]).current_dir(&test.folder);
     command.env(variable.0, variable.1).env("PROPTEST_FAILURE_PERSISTENCE", "off");
     command.stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null());
-    let Ok(mut child) = command.spawn() else { return Some(false) };
-    let begun = Instant::now();
-    loop {
-        match child.try_wait() {
-            Ok(Some(status)) => return Some(status.success()),
-            Ok(None) if begun.elapsed() > patience => {
-                let _ = child.kill();
-                let _ = child.wait();
-                return None;
-            }
-            Ok(None) => thread::sleep(POLL),
-            Err(_) => return Some(false),
-        }
+    match command.status() {
+        Ok(status) if status.signal() == Some(OUT_OF_TIME) => None,
+        Ok(status) => Some(status.success()),
+        Err(_) => Some(false),
     }
 }
