@@ -118,7 +118,7 @@ fn a_faulty_end_of_block_delimits_a_name() {
 /// A character of seven bits with an even number of holes.
 fn even(byte: u8) -> u8 {
     let code = byte & 0x7F;
-    if code.count_ones() % 2 == 0 { code } else { code | 0x80 }
+    if code.count_ones().is_multiple_of(2) { code } else { code | 0x80 }
 }
 
 /// E100L-VUACM-04, E100L-VUACM-05 (execution-io.md, "Strings"): a first character `$` without `^` makes the rest a row of

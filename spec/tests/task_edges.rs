@@ -2,7 +2,7 @@
 //! hand from local-variables.md and expressions.md.
 
 use turnspec_oracle::vocabulary::notation::render;
-use turnspec_oracle::vocabulary::{Action, Angle, Event, Setup, UnitSystem, Value};
+use turnspec_oracle::vocabulary::{Angle, Event, Setup, UnitSystem};
 
 fn trace(program: &str, setup: &Setup) -> Vec<Event> {
     let mut trace = Vec::new();
@@ -44,21 +44,5 @@ fn thousandths_of_a_degree_are_integers() {
         let events = trace("V1=$7FFFFFFF+VZOFC\nM02\n", &setup);
         let first = events.first().map(render).unwrap_or_default();
         assert_eq!(first.starts_with("alarm name=integer_overflow"), overflows, "{unit_system:?}: {first}");
-    }
-}
-
-/// E100L-TYPE-13: whatever a shift reads as that has no place in 32 bits, it has the sign of the shift. Each of eleven G50
-/// shifts by 199999.998 mm more (E100L-G50-01); 2^31 increments of the 1 µm system are 2147483.648 mm.
-#[test]
-fn a_shift_beyond_32_bits_reads_with_its_sign() {
-    let setup = in_system(UnitSystem::Micrometre);
-    for (there, back, positive) in [("", "-", true), ("-", "", false)] {
-        let shift = format!("G00 X{there}99999999\nG50 X{back}99999999\n");
-        let program = format!("{}V1=VZSHX\nM02\n", shift.repeat(11));
-        let read = trace(&program, &setup).into_iter().find_map(|event| match event.action {
-            Action::Variable { value: Value::Real(value), .. } => Some(value),
-            _ => None,
-        });
-        assert_eq!(read.map(|value| value > 0.0), Some(positive), "{read:?}");
     }
 }

@@ -50,6 +50,22 @@ end code=M02",
     );
 }
 
+/// E100L-TCHM-04: from Ø29 the chamfer rises by 3 of radius to Ø35, the level of the cycle start, just at the end of the
+/// thread: not before it, so that it is one motion; nothing is left to withdraw.
+#[test]
+fn a_chamfer_may_reach_the_cycle_start_at_the_end() {
+    holds(
+        "G00 X35 Z80 S1000 M03 M23\nG33 X29 Z50 F1.5\nM02\n",
+        "...
+thread x=29 z=51.5 part=cut
+thread x=35 z=50 part=exit rules=E100L-TCHM-04
+rapid x=35 z=80 part=return
+...
+end code=M02",
+        &Setup::default(),
+    );
+}
+
 /// E100L-TCHM-04 with the taper of its example, which rises by 0.75 on the last 1.5: at 4000 rpm the chamfer makes just that
 /// of it, so that the tool is not deeper at the end than without it: Ø45.5 to Ø47.
 #[test]
