@@ -197,6 +197,24 @@ fn an_io_bit_has_a_list_of_zeros_and_ones() {
     }
 }
 
+/// The table of execution-io.md: an address has no leading zeros; a number has one text, so that no list replaces another.
+#[test]
+fn the_number_of_an_input_has_one_text() {
+    for name in ["vdin", "vird", "vord"] {
+        for key in ["017", "+17", "-17", "", "1.7", "\u{661}7", "65536"] {
+            refused(
+                &format!("[inputs.{name}]\n17 = [0]\n\"{key}\" = [1]\n"),
+                "without sign and leading zeros",
+            );
+        }
+    }
+    let setup = set_up("[inputs]\nvird = { 17 = [0], 0 = [1] }\nvdin = { 17 = [1] }\n");
+    assert_eq!(
+        (&setup.inputs.vird[&17], &setup.inputs.vird[&0], &setup.inputs.vdin[&17]),
+        (&vec![0], &vec![1], &vec![1])
+    );
+}
+
 /// GOTO-03: at least 1.
 #[test]
 fn a_run_has_a_step_at_least() {

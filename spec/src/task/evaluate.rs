@@ -15,7 +15,7 @@ pub fn evaluate(expression: &Expression, state: &mut State) -> Outcome<Number> {
     match expression {
         Expression::Integer(integer) => Ok(Number::Integer(*integer)),
         Expression::Real(decimal) => Ok(Number::Real(quantity::nearest_real(&decimal.exact()))),
-        Expression::Variable(variable) => Ok(read::amount(variable, state)?.number(state.setup.unit_system)),
+        Expression::Variable(variable) => read::amount(variable, state)?.number(state.setup.unit_system),
         Expression::Sign { minus, operand } => {
             let value = evaluate(operand, state)?;
             if *minus { negative(value) } else { Ok(value) }

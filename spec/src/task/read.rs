@@ -27,15 +27,15 @@ pub enum Amount {
 
 impl Amount {
     /// E100L-TYPE-13: as a number, in the unit in which it is read; whole increments are an integer.
-    pub fn number(self, system: UnitSystem) -> Number {
+    pub fn number(self, system: UnitSystem) -> Outcome<Number> {
         let whole = match (self, system) {
-            (Self::Number(number), _) => return number,
+            (Self::Number(number), _) => return Ok(number),
             (Self::Length(_), UnitSystem::Micrometre) => true,
             (Self::Angle(_), UnitSystem::Micrometre | UnitSystem::TenThousandthInch) => true,
             _ => false,
         };
         let exact = self.exact(system);
-        if whole { increments(&exact) } else { Number::Real(nearest_real(&exact)) }
+        if whole { increments(&exact) } else { Ok(Number::Real(nearest_real(&exact))) }
     }
 
     /// Its exact value in that unit.
@@ -64,9 +64,9 @@ impl Amount {
     }
 }
 
-fn increments(amount: &Exact) -> Number {
-    let count = round(amount);
-    Number::Integer(i32::try_from(&count).unwrap_or(if count < 0.into() { i32::MIN } else { i32::MAX }))
+fn increments(amount: &Exact) -> Outcome<Number> {
+    let count = i32::try_from(&round(amount)).map_err(|_| Fault::new(AlarmName::IntegerOverflow, TYPE_13))?;
+    Ok(Number::Integer(count))
 }
 
 /// What a variable holds now.

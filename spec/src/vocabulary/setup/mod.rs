@@ -3,12 +3,13 @@
 //! Lengths are millimetres (X as a diameter), angles degrees, times seconds, whatever the unit system of
 //! the program.
 
+mod numbered;
 mod validate;
 
 use std::collections::BTreeMap;
 use std::fmt;
 
-use serde::{Deserialize, Serialize, Serializer};
+use serde::{Deserialize, Serialize};
 
 use super::{Angle, Duration, Label, Length, ProgramText, Readings, Speed};
 
@@ -83,11 +84,6 @@ table! {
         /// Readings of what the manual leaves open.
         readings: Readings = Readings::default(),
     }
-}
-
-/// A map by number, whose keys are text in a set-up file.
-fn numbered<V: Serialize, S: Serializer>(map: &BTreeMap<u16, V>, serializer: S) -> Result<S::Ok, S::Error> {
-    serializer.collect_map(map.iter().map(|(number, value)| (number.to_string(), value)))
 }
 
 /// The control.
@@ -531,13 +527,13 @@ table! {
         /// Whether a sequence restart is in progress (VRSTT).
         restart: bool = false,
         /// Values of input variables VDIN, one a reading, the last one for all that follow; by number.
-        #[serde(serialize_with = "numbered")]
+        #[serde(serialize_with = "numbered::serialize", deserialize_with = "numbered::deserialize")]
         vdin: BTreeMap<u16, Vec<i32>> = BTreeMap::new(),
         /// Values of input bits VIRD likewise; by I/O bit address.
-        #[serde(serialize_with = "numbered")]
+        #[serde(serialize_with = "numbered::serialize", deserialize_with = "numbered::deserialize")]
         vird: BTreeMap<u16, Vec<u8>> = BTreeMap::new(),
         /// Values of output bits VORD likewise; by I/O bit address.
-        #[serde(serialize_with = "numbered")]
+        #[serde(serialize_with = "numbered::serialize", deserialize_with = "numbered::deserialize")]
         vord: BTreeMap<u16, Vec<u8>> = BTreeMap::new(),
     }
 }
