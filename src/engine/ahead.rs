@@ -40,10 +40,11 @@ impl Interpreter<'_> {
         if self.ahead_count > depth {
             return Ok(());
         }
-        let Some(slot) = self.ahead.get_mut(depth) else { return Ok(()) };
-        let mut slot = std::mem::take(slot);
+        let mut slot = self.spare.take().unwrap_or_default();
         let result = self.prepare(&mut slot, need, motion, sink);
-        self.ahead[depth] = slot;
+        if let Some(place) = self.ahead.get_mut(depth) {
+            self.spare = Some(std::mem::replace(place, slot));
+        }
         self.ahead_count = depth + 1;
         result
     }
@@ -56,10 +57,10 @@ impl Interpreter<'_> {
         sink: &mut impl Sink,
     ) -> Result<(), Fault> {
         let rule = if need.chamfer { ANG_05 } else { ANG_06 };
-        let unfit = Fault::new(AlarmName::AngleLookahead, rule);
+        let unfit = || Fault::new(AlarmName::AngleLookahead, rule);
         if need.last {
             self.fault_place = Some(need.place);
-            return Err(unfit);
+            return Err(unfit());
         }
         let found = self.read(slot, Turn::Ahead);
         self.fault_place = Some(if planted::is(Bug::AlarmOneBlockEarly) { need.place } else { slot.place });
@@ -74,7 +75,7 @@ impl Interpreter<'_> {
         }
         if !found || slot.parsed.has_assignment || control.is_some() || self.is_turret_block(&slot.parsed) {
             self.fault_place = Some(need.place);
-            return Err(unfit);
+            return Err(unfit());
         }
         self.evaluate(slot, sink)?;
         if defines {
@@ -89,7 +90,7 @@ impl Interpreter<'_> {
             return Fault::raise(AlarmName::ChamferCorner, ANG_07);
         }
         if !is_fit(words, plan.motion, need, defines) {
-            return Err(unfit);
+            return Err(unfit());
         }
         self.fault_place = None;
         Ok(())

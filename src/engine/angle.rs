@@ -171,12 +171,17 @@ impl Interpreter<'_> {
         let (mut x, mut z, mut readings) = (None, None, ReadingSet::default());
         if words.has_any(Address::set(&[Address::X, Address::Z, Address::A])) {
             let base = self.state.base.take();
-            let end = self.line_end(slot, plan, base, angle_target, sink)?;
-            x = end.x.then_some(end.point.x);
-            z = end.z.then_some(end.point.z);
-            cites = cites.and(end.cites);
-            readings = end.readings;
-            self.state.angle_target = end.beyond.map(|point| (point.x, point.z));
+            if base.is_none() && angle_target.is_none() && !words.has(Address::A) {
+                // Its words alone tell its end.
+                (x, z) = Course::of(words, self.state.incremental).coordinates(self.origin());
+            } else {
+                let end = self.line_end(slot, plan, base, angle_target, sink)?;
+                x = end.x.then_some(end.point.x);
+                z = end.z.then_some(end.point.z);
+                cites = cites.and(end.cites);
+                readings = end.readings;
+                self.state.angle_target = end.beyond.map(|point| (point.x, point.z));
+            }
         }
         let w =
             words.get(Address::W).map(|word| coordinate(self.state.program(W), word, self.state.incremental));

@@ -124,7 +124,7 @@ impl Interpreter<'_> {
         }
         if one && self.setup.readings.arc_one_coordinate == ArcOneCoordinate::Quadrant {
             let end = quadrant_end(centre, (-k, -i), x, z, sense)
-                .ok_or(Fault::new(AlarmName::ArcNoEndPoint, rules::CIRC_08))?;
+                .ok_or_else(|| Fault::new(AlarmName::ArcNoEndPoint, rules::CIRC_08))?;
             return Ok(Arc { end, moves_x: true, moves_z: true, centre, cites, readings });
         }
         let end = Point { x: x.unwrap_or(start.x), z: z.unwrap_or(start.z) };

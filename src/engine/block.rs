@@ -10,6 +10,7 @@ use super::contour;
 use super::cycle::{self, CycleBlock};
 use super::fault::Fault;
 use super::lap::Code;
+use super::plain::plain_plan;
 use super::planted::{self, Bug};
 use super::thread;
 use super::words::{Address, Parsed, Words};
@@ -137,8 +138,9 @@ const AXES: u64 =
 const TRIGGERS: u64 = Address::set(&[Address::X, Address::Y, Address::Z]);
 const ARC: u64 = Address::set(&[Address::I, Address::K, Address::L, Address::Calrg]);
 const IMAGINARY: u64 = Address::set(&[Address::I, Address::K]);
-const ALWAYS: u64 = Address::set(&[Address::F, Address::S, Address::T, Address::SB, Address::SA, Address::P]);
-const ARC_TAKES: u64 =
+pub(super) const ALWAYS: u64 =
+    Address::set(&[Address::F, Address::S, Address::T, Address::SB, Address::SA, Address::P]);
+pub(super) const ARC_TAKES: u64 =
     Address::set(&[Address::X, Address::Z, Address::I, Address::K, Address::L, Address::Calrg]);
 const CHAMFER_TAKES: u64 = Address::set(&[Address::X, Address::Z, Address::A, Address::L]);
 const SKIP_TAKES: u64 =
@@ -162,6 +164,9 @@ impl Interpreter<'_> {
     pub(super) fn check(&self, parsed: &Parsed, words: &Words, before: Before) -> Result<Plan, Fault> {
         let Before { motion: motion_before, after_angle, left_over } = before;
         let motion = words.code_of(GGroup::Motion).unwrap_or(motion_before);
+        if self.is_plain(words, motion, left_over) {
+            return plain_plan(words, motion);
+        }
         let threads = thread::is_mode(motion);
         let contours = contour::is_mode(motion);
         let one_shot = OneShot::of(words);
@@ -405,7 +410,7 @@ fn check_alone(parsed: &Parsed, words: &Words) -> Result<(), Fault> {
     }
 }
 
-fn check_arc(words: &Words) -> Result<(), Fault> {
+pub(super) fn check_arc(words: &Words) -> Result<(), Fault> {
     let nothing = |address| words.get(address).unwrap_or_default() == 0;
     let (x, z) = (words.has(Address::X), words.has(Address::Z));
     if let Some(radius) = words.get(Address::L) {

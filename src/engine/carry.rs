@@ -9,6 +9,7 @@ use super::Interpreter;
 use super::arithmetic::speed::thousandths;
 use super::arithmetic::{frame, turn};
 use super::block::{Before, OneShot, Plan};
+use super::codes::g_label;
 use super::compensation::Change;
 use super::contour;
 use super::cycle;
@@ -52,7 +53,9 @@ impl Interpreter<'_> {
         if plan.one_shot == OneShot::ZeroShift || words.has(Address::T) || parsed.has_assignment {
             self.state.base = None;
         }
-        self.change_compensation(plan.compensation, words);
+        if plan.compensation != Change::None {
+            self.change_compensation(plan.compensation, words);
+        }
         if self.lap.is_active() && Self::makes_motion(plan) {
             self.admit_motion(plan)?;
         }
@@ -211,8 +214,8 @@ impl Interpreter<'_> {
         let known = previous != contour::NO_CODE;
         let action = Action::Mode {
             group,
-            code: Label::of_code(b'G', code),
-            previous: if known { Label::of_code(b'G', previous) } else { Label::default() },
+            code: g_label(code),
+            previous: if known { g_label(previous) } else { Label::default() },
             angle: None,
         };
         self.emit(sink, rules, action);

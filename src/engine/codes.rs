@@ -2,7 +2,7 @@
 //! codes exclude each other, which rules an M code cites.
 
 use turnspec_oracle::vocabulary::rule_ids::*;
-use turnspec_oracle::vocabulary::{RuleId, RuleSet};
+use turnspec_oracle::vocabulary::{Label, RuleId, RuleSet};
 
 /// What the tables say about a code.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -45,6 +45,18 @@ pub enum GGroup {
     ChangePoints,
     /// G04 G22 G28 G29 G50 G71 to G78 G80 to G83 G85 to G88 G136 G137, of which a block has one.
     OneShot,
+}
+
+impl GGroup {
+    /// The set of some groups.
+    pub const fn set(groups: &[Self]) -> u16 {
+        let (mut set, mut next) = (0, 0);
+        while next < groups.len() {
+            set |= 1 << groups[next] as u16;
+            next += 1;
+        }
+        set
+    }
 }
 
 /// Assigned G codes, as ranges.
@@ -122,6 +134,24 @@ pub fn g_group(code: u16) -> Option<GGroup> {
         178..=190 => GGroup::Cycle,
         _ => return None,
     })
+}
+
+/// The labels of the lower G codes, of all that events name: copying one is faster than writing it.
+static G_LABELS: [Label; 256] = {
+    let mut labels = [Label::new(""); 256];
+    let mut code = 0;
+    while code < labels.len() {
+        labels[code] = Label::of_code(b'G', code as u16);
+        code += 1;
+    }
+    labels
+};
+
+/// The label of a G code.
+#[inline]
+#[must_use]
+pub fn g_label(code: u16) -> Label {
+    G_LABELS.get(usize::from(code)).copied().unwrap_or_else(|| Label::of_code(b'G', code))
 }
 
 /// Assigned M codes, as ranges.
@@ -284,7 +314,7 @@ pub fn m_rules(code: u16) -> RuleSet {
 
 #[cfg(test)]
 mod tests {
-    use super::{Status, g_code, m_code, m_group};
+    use super::{Status, g_code, g_group, m_code, m_group};
 
     #[test]
     fn the_tables_have_as_many_codes_as_the_manual() {
@@ -293,6 +323,13 @@ mod tests {
         assert_eq!(assigned, 111);
         let assigned = (0..=511).filter(|code| m_code(*code) != Status::Unassigned).count();
         assert_eq!(assigned, 270);
+    }
+
+    #[test]
+    fn modelled_g_codes_have_groups() {
+        for code in (0..=999).filter(|code| g_code(*code) == Status::Modelled) {
+            assert!(g_group(code).is_some(), "G{code}");
+        }
     }
 
     #[test]

@@ -111,11 +111,14 @@ impl Parser<'_> {
         Ok(())
     }
 
-    /// P belongs to functions that are not modelled yet (E100L-ADDR-01).
+    /// P belongs to functions that are not modelled yet (E100L-ADDR-01): refuses the item read last, which begins with
+    /// this letter.
     #[inline]
-    pub(super) fn refuse_later_word(&self) -> Result<(), Fault> {
+    pub(super) fn refuse_later_word(&self, letter: u8) -> Result<(), Fault> {
+        if letter != b'P' || self.options.two_saddles {
+            return Ok(());
+        }
         match self.block.items.last().and_then(Item::address) {
-            Some(Address::P) if self.options.two_saddles => Ok(()),
             Some(address @ Address::P) => {
                 Err(Fault::about(AlarmName::NotModelled, ADDR_01, Label::new(address.text())))
             }
@@ -129,6 +132,7 @@ impl Parser<'_> {
     }
 
     /// The value after an equal sign: a plain number that stays alone, or an expression.
+    #[inline(never)]
     fn value_after_equals(&mut self, address: Address) -> Result<Source, Fault> {
         let start = self.at;
         self.skip_ignored();
@@ -164,7 +168,7 @@ impl Parser<'_> {
     }
 
     /// A plain number; its first character is a sign, a digit or a point.
-    #[inline]
+    #[inline(always)]
     fn plain_number(&mut self, address: Address) -> Result<Plain, Fault> {
         let negative = self.peek() == Some(b'-');
         let signed = matches!(self.peek(), Some(b'+' | b'-'));
@@ -199,6 +203,7 @@ impl Parser<'_> {
     }
 
     /// An item that begins with two letters, or with V.
+    #[inline(never)]
     fn named_item(&mut self) -> Result<(), Fault> {
         let name = self.run(self.at);
         let length = name.len();

@@ -32,6 +32,7 @@ mod motion;
 mod names;
 mod number;
 mod parse;
+mod plain;
 #[cfg(not(feature = "planted-bugs"))]
 mod planted;
 #[cfg(feature = "planted-bugs")]
@@ -88,9 +89,10 @@ pub struct Interpreter<'a> {
     names: Names,
     /// Whether a block was read, so that a program name comes too late.
     begun: bool,
-    /// Blocks that were read before their turn, at most two.
-    ahead: [Slot; 2],
+    /// Blocks that were read before their turn, at most two, and room for another one.
+    ahead: [Box<Slot>; 2],
     ahead_count: usize,
+    spare: Option<Box<Slot>>,
     /// The block in progress; taken out while it is carried out.
     current: Option<Box<Slot>>,
     /// Place of the block in progress.
@@ -198,8 +200,9 @@ impl<'a> Interpreter<'a> {
             reader: Reader::new(program, setup.tape.code),
             names: Names::default(),
             begun: false,
-            ahead: [Slot::default(), Slot::default()],
+            ahead: [Box::default(), Box::default()],
             ahead_count: 0,
+            spare: None,
             current: None,
             place: Place::default(),
             fault_place: None,
@@ -261,7 +264,7 @@ impl<'a> Interpreter<'a> {
         self.saddles.as_ref().map_or(self.slow, |saddles| saddles.slow_paths())
     }
 
-    fn next_block(&mut self, slot: &mut Slot, sink: &mut impl Sink) -> Result<Option<Ending>, Fault> {
+    fn next_block(&mut self, slot: &mut Box<Slot>, sink: &mut impl Sink) -> Result<Option<Ending>, Fault> {
         if self.side.is_some() && self.resume(slot, sink)? {
             return Ok(None);
         }
@@ -317,8 +320,9 @@ impl<'a> Interpreter<'a> {
 
     #[inline(always)]
     fn emit_with(&mut self, sink: &mut impl Sink, rules: RuleSet, readings: ReadingSet, action: Action) {
-        let event = Event::new(self.ordinal + 1, self.place, rules, readings, action);
-        self.hand_over(sink, self.of_side(event));
+        let mut event = Event::new(self.ordinal + 1, self.place, rules, readings, action);
+        self.name_side(&mut event);
+        self.hand_over(sink, event);
     }
 
     /// Hands an event to the sink, or holds it.

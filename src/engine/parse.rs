@@ -50,7 +50,7 @@ pub struct Parser<'t> {
     pub block: &'t mut Parsed,
 }
 
-impl Parser<'_> {
+impl<'t> Parser<'t> {
     /// What the manual does not tell of two saddles (E100L-AX4-12).
     pub(super) fn refuse_on_two_saddles(&self, detail: Label) -> Result<(), Fault> {
         if self.options.two_saddles {
@@ -115,7 +115,7 @@ impl Parser<'_> {
     }
 
     /// The longest alphanumeric run from a place.
-    pub fn run(&self, start: usize) -> &[u8] {
+    pub fn run(&self, start: usize) -> &'t [u8] {
         let rest = self.text.get(start..).unwrap_or_default();
         let alphanumeric = |byte: &&u8| matches!(class(**byte), Class::Letter | Class::Digit);
         // A name ends at anything that is no letter and no digit (E100L-CTL-07, E100L-FMT-07).
@@ -131,7 +131,8 @@ impl Parser<'_> {
         }
         let mut slash = self.take_slash()?;
         if self.peek() == Some(b'N') && self.run(self.at) != b"NOEX" {
-            self.block.sequence = self.sequence_name(true)?;
+            let name = self.sequence_name(true)?;
+            name_sequence(&mut self.block.sequence, name);
             if !(slash && self.options.block_delete) {
                 self.skip_blanks()?;
                 if slash && self.peek() == Some(b'/') && !planted::is(Bug::SecondSlash) {
@@ -159,7 +160,7 @@ impl Parser<'_> {
             parser.item(letter)?;
             match refusal {
                 Some(rule) => parser.refuse_word(rule),
-                None => parser.refuse_later_word(),
+                None => parser.refuse_later_word(letter),
             }
         })
     }
@@ -228,7 +229,14 @@ impl Parser<'_> {
     }
 
     /// The sequence name whose `N` stands here, with `N`; a slash may delimit it or not.
-    pub(super) fn sequence_name(&mut self, slash: bool) -> Result<Label, Fault> {
+    pub(super) fn sequence_label(&mut self, slash: bool) -> Result<Label, Fault> {
+        let mut label = Label::default();
+        name_sequence(&mut label, self.sequence_name(slash)?);
+        Ok(label)
+    }
+
+    /// The same without `N`.
+    pub(super) fn sequence_name(&mut self, slash: bool) -> Result<&'t [u8], Fault> {
         let start = self.at + 1;
         let run = self.run(start);
         let run_length = run.len();
@@ -236,8 +244,6 @@ impl Parser<'_> {
             .rev()
             .find(|length| run.get(..*length).is_some_and(|name| is_name(name, 5)))
             .unwrap_or(0);
-        let mut label = Label::new("N");
-        run.iter().take(length).for_each(|byte| label.push(*byte));
         self.at = start + length;
         if length == 0 {
             return Fault::raise(AlarmName::SequenceNameMalformed, SEQ_01);
@@ -251,13 +257,21 @@ impl Parser<'_> {
         if !delimited {
             return Fault::raise(AlarmName::SequenceDelimiterMissing, SEQ_02);
         }
-        Ok(label)
+        Ok(run.get(..length).unwrap_or_default())
     }
 
     /// Appends an operation.
     pub fn operation(&mut self, operation: Operation) {
         self.block.operations.push(operation);
     }
+}
+
+/// Makes a label of a sequence name without its `N`. The label is filled where it stays: copying what was written
+/// character by character holds up the processor.
+#[inline]
+fn name_sequence(label: &mut Label, name: &[u8]) {
+    *label = const { Label::new("N") };
+    name.iter().for_each(|byte| label.push(*byte));
 }
 
 /// More than eight digits are refused (E100L-DEC-04, E100L-TYPE-02, E100L-TYPE-03).

@@ -247,7 +247,7 @@ impl<'a> Reader<'a> {
     }
 
     /// The next line with its continuation lines; none at the end of the text.
-    #[inline]
+    #[inline(always)]
     pub fn next_lines(&mut self) -> Option<Lines> {
         while self.at >= self.limit {
             if !self.next_section() {
@@ -263,16 +263,25 @@ impl<'a> Reader<'a> {
         self.line = self.line.saturating_add(u32::from(end < self.bytes.len()));
         let mut continued = false;
         let single = line == 1 && self.begins_with_dollar(0) || self.is_program_start(start, end);
-        while !single && end < self.bytes.len() && self.begins_with_dollar(end + 1) {
+        if !single && end < self.bytes.len() && self.begins_with_dollar(end + 1) {
             continued = true;
-            end = self.end_of_line(end + 1);
-            let counted = end < self.bytes.len() && !planted::is(Bug::ContinuationNotCounted);
-            self.line = self.line.saturating_add(u32::from(counted));
+            end = self.end_of_continuation(end);
         }
         self.at = end + 1;
         self.closed = single;
         // One block with its continuation lines (E100L-AEXP-12), on the line of its first character (E100L-FMT-04).
         Some(Lines { line, start, end, continued, stray })
+    }
+
+    /// The offset after the continuation lines behind a line.
+    #[cold]
+    fn end_of_continuation(&mut self, mut end: usize) -> usize {
+        while end < self.bytes.len() && self.begins_with_dollar(end + 1) {
+            end = self.end_of_line(end + 1);
+            let counted = end < self.bytes.len() && !planted::is(Bug::ContinuationNotCounted);
+            self.line = self.line.saturating_add(u32::from(counted));
+        }
+        end
     }
 
     /// The line after the last one: 1 and the number of ends of block in the text.
@@ -309,8 +318,14 @@ impl<'a> Reader<'a> {
     }
 
     /// What the lines read last are, with the test of the file header.
-    #[inline]
+    #[inline(always)]
     pub fn kind(&self, lines: Lines) -> Result<Kind, Fault> {
+        // Only the first line is a header, and only program starts cannot be continued.
+        if lines.line != 1 && !self.closed { Ok(Kind::Block) } else { self.kind_apart(lines) }
+    }
+
+    #[cold]
+    fn kind_apart(&self, lines: Lines) -> Result<Kind, Fault> {
         if self.is_header(lines) {
             return self.check_header(lines);
         }
@@ -356,7 +371,7 @@ impl<'a> Reader<'a> {
         let raw = self.bytes.get(lines.start..lines.end).unwrap_or_default();
         let text: Option<Vec<u8>> = raw.iter().map(|byte| self.character(*byte)).collect();
         let end_is_bad = self.bytes.get(lines.end).is_some_and(|end| self.character(*end).is_none());
-        let text = text.filter(|_| !end_is_bad).ok_or(Fault::new(AlarmName::ParityError, CMT_02))?;
+        let text = text.filter(|_| !end_is_bad).ok_or_else(|| Fault::new(AlarmName::ParityError, CMT_02))?;
         let is_blank = |byte: &u8| class(*byte) == Class::Ignored;
         let length = text.len() - text.iter().rev().take_while(|byte| is_blank(byte)).count();
         let Some(name) = text.get(..length).and_then(|text| text.strip_suffix(b"%")) else {
@@ -381,7 +396,7 @@ impl<'a> Reader<'a> {
     ///
     /// # Errors
     /// A block that is too long, or holds a byte that the tape code does not know.
-    #[inline]
+    #[inline(always)]
     pub fn characters<'b>(&self, lines: Lines, buffer: &'b mut Vec<u8>) -> Result<&'b [u8], Fault>
     where
         'a: 'b,
@@ -393,6 +408,11 @@ impl<'a> Reader<'a> {
         if self.code == TapeCode::Ascii && !lines.continued {
             return Ok(raw);
         }
+        self.decoded(raw, lines, buffer)
+    }
+
+    /// The characters of a block in another tape code, or of several lines, in the buffer.
+    fn decoded<'b>(&self, raw: &[u8], lines: Lines, buffer: &'b mut Vec<u8>) -> Result<&'b [u8], Fault> {
         buffer.clear();
         let bad = || Fault::new(AlarmName::ParityError, CMT_02);
         let mut after_end = false;

@@ -3,7 +3,7 @@
 
 use turnspec_oracle::vocabulary::Label;
 
-use super::codes::{GGroup, g_group};
+use super::codes::GGroup;
 use super::communication::CommentForm;
 use super::number::Number;
 use super::planted::{self, Bug};
@@ -291,9 +291,20 @@ pub struct Words {
     g: [u16; GROUPS],
     g_count: u8,
     g_groups: u16,
+    /// The code of each group that is there.
+    g_of_group: [u16; GROUPS],
+    /// The bits of its G codes, and those of its M codes: most blocks are asked for codes that they do not have.
+    g_bits: u64,
+    m_bits: u64,
     m: [u16; MOST_M],
     m_count: u8,
     m_groups: u64,
+}
+
+/// The bit of a code, which it shares with a few others.
+#[inline]
+const fn bit_of(code: u16) -> u64 {
+    1 << (code & 63)
 }
 
 /// Number of groups of G codes.
@@ -317,6 +328,9 @@ impl Default for Words {
             g: [0; GROUPS],
             g_count: 0,
             g_groups: 0,
+            g_of_group: [0; GROUPS],
+            g_bits: 0,
+            m_bits: 0,
             m: [0; MOST_M],
             m_count: 0,
             m_groups: 0,
@@ -333,6 +347,8 @@ impl Words {
         self.assigned = false;
         self.g_count = 0;
         self.g_groups = 0;
+        self.g_bits = 0;
+        self.m_bits = 0;
         self.m_count = 0;
         self.m_groups = 0;
     }
@@ -403,6 +419,8 @@ impl Words {
             return false;
         }
         self.g_groups |= bit;
+        self.g_bits |= bit_of(code);
+        self.g_of_group[group as usize] = code;
         if let Some(slot) = self.g.get_mut(usize::from(self.g_count)) {
             *slot = code;
             self.g_count += 1;
@@ -418,15 +436,19 @@ impl Words {
     /// The G code of a group, if the block has one.
     #[inline]
     pub fn code_of(&self, group: GGroup) -> Option<u16> {
-        if self.g_groups & (1 << group as u16) == 0 {
-            return None;
-        }
-        self.g_codes().iter().copied().find(|code| g_group(*code) == Some(group))
+        (self.g_groups & (1 << group as u16) != 0).then(|| self.g_of_group[group as usize])
+    }
+
+    /// Whether the block has an M code, or a G code that is of none of a set of groups.
+    #[inline]
+    pub fn has_codes_beyond(&self, groups: u16) -> bool {
+        self.m_count != 0 || self.g_groups & !groups != 0
     }
 
     /// Whether the block has a G code.
+    #[inline]
     pub fn has_g(&self, code: u16) -> bool {
-        self.g_codes().contains(&code)
+        self.g_bits & bit_of(code) != 0 && self.g_codes().contains(&code)
     }
 
     /// Whether there is room for another M code.
@@ -442,6 +464,7 @@ impl Words {
             return false;
         }
         self.m_groups |= bit;
+        self.m_bits |= bit_of(code);
         if let Some(slot) = self.m.get_mut(usize::from(self.m_count)) {
             *slot = code;
             self.m_count += 1;
@@ -455,7 +478,8 @@ impl Words {
     }
 
     /// Whether the block has an M code.
+    #[inline]
     pub fn has_m(&self, code: u16) -> bool {
-        self.m_codes().contains(&code)
+        self.m_bits & bit_of(code) != 0 && self.m_codes().contains(&code)
     }
 }

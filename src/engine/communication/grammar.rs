@@ -69,7 +69,7 @@ impl Transfer {
 impl Parser<'_> {
     /// What follows READ or WRITE: a channel.
     pub(in crate::engine) fn channel(&mut self, rule: RuleId) -> Result<u8, Fault> {
-        let channel = self.digits().ok_or(Fault::new(AlarmName::Format, rule))?;
+        let channel = self.digits().ok_or_else(|| Fault::new(AlarmName::Format, rule))?;
         if channel > 9 {
             return Fault::raise(AlarmName::DeviceUnknown, rule);
         }
@@ -117,7 +117,7 @@ impl Parser<'_> {
         let length = rest.iter().take_while(|byte| hexadecimal_digit(**byte).is_some()).count();
         self.at += length;
         let codes = codes(rest.get(..length).unwrap_or_default()).filter(|codes| !codes.is_empty());
-        let codes = codes.ok_or(Fault::new(AlarmName::NumberMalformed, GPUT_10))?;
+        let codes = codes.ok_or_else(|| Fault::new(AlarmName::NumberMalformed, GPUT_10))?;
         if codes.len() > MOST {
             return Fault::raise(AlarmName::StringTooLong, GPUT_10);
         }
@@ -128,7 +128,7 @@ impl Parser<'_> {
     }
 
     fn needed_length(&mut self) -> Result<u8, Fault> {
-        self.field_length(GPUT_07)?.ok_or(Fault::new(AlarmName::Format, GPUT_07))
+        self.field_length(GPUT_07)?.ok_or_else(|| Fault::new(AlarmName::Format, GPUT_07))
     }
 
     /// A comma and the length behind it; none without a comma.

@@ -61,7 +61,7 @@ impl Parser<'_> {
             }
             Some((b'$', digits)) => {
                 let codes = codes(digits).filter(|codes| (1..=4).contains(&codes.len()));
-                let codes = codes.ok_or(Fault::new(AlarmName::NumberMalformed, VUACM_04))?;
+                let codes = codes.ok_or_else(|| Fault::new(AlarmName::NumberMalformed, VUACM_04))?;
                 self.block.characters.truncate(usize::from(characters.start));
                 Ok((self.keep(&codes), CommentForm::Codes))
             }

@@ -92,7 +92,7 @@ impl Interpreter<'_> {
             self.communication.unread = rest;
             return Ok(());
         };
-        let value = received(field).ok_or(Fault::new(AlarmName::ReceivedNumber, GPUT_05))?;
+        let value = received(field).ok_or_else(|| Fault::new(AlarmName::ReceivedNumber, GPUT_05))?;
         self.communication.unread = rest;
         match target {
             Target::Common(number) => self.assign_common(number, value, origin, sink),

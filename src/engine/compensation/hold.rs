@@ -34,7 +34,7 @@ impl Interpreter<'_> {
             false => self.compensation.displacement,
         };
         let mut held = std::mem::take(&mut self.compensation.held);
-        for mut event in held.drain(..) {
+        for event in &mut held {
             let mirror = if planted::is(Bug::HeldNotMirrored) { 1 } else { self.state.mirror };
             match &self.compensation.cutter {
                 Some(cutter) => cutter.displace(&mut event.action),
@@ -42,13 +42,15 @@ impl Interpreter<'_> {
             }
             self.emit_at_once(sink, event);
         }
+        held.clear();
         self.compensation.held = held;
     }
 
     /// Hands an event to the sink, whether others are held or not; it is numbered now.
-    pub(super) fn emit_at_once(&mut self, sink: &mut impl Sink, event: Event) {
+    pub(super) fn emit_at_once(&mut self, sink: &mut impl Sink, event: &mut Event) {
         self.ordinal += 1;
-        sink.event(&Event { n: self.ordinal, ..event });
+        event.n = self.ordinal;
+        sink.event(event);
     }
 }
 

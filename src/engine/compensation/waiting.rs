@@ -37,7 +37,7 @@ pub enum Role {
 pub type Limits = [(Option<i64>, Option<i64>); 2];
 
 /// A motion whose end is not known yet, with what was in force in its block.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Waiting {
     pub role: Role,
     pub kind: Kind,
@@ -110,8 +110,8 @@ impl Interpreter<'_> {
             if tip == self.tip(&extra, &Target::Here) && !planted::is(Bug::ExtraAlways) {
                 return Ok(());
             }
-            match extra.refusal {
-                Some(fault) => Err(fault),
+            match &extra.refusal {
+                Some(fault) => Err(fault.clone()),
                 None => self.conclude(&extra, tip, cites, sink),
             }
         });
@@ -207,9 +207,10 @@ impl Interpreter<'_> {
         let travel = (waiting.kind, waiting.feed);
         let action = self.action(travel, motion, (&start, &end, waiting.turn), &mut cites, &mut readings);
         let rules = self.cites.rules(cites);
-        let event = self.of_side(Event::new(0, waiting.place, rules, readings, action));
+        let mut event = Event::new(0, waiting.place, rules, readings, action);
+        self.name_side(&mut event);
         if !self.lap.observes() || !self.take_note(&event, waiting.mark) {
-            self.emit_at_once(sink, event);
+            self.emit_at_once(sink, &mut event);
         }
         Ok(())
     }

@@ -7,8 +7,8 @@ use crate::engine::exact::SlowPaths;
 use crate::engine::planted::{self, Bug};
 
 use super::front::{Front, Leave};
-use super::graph::{Joint, Span};
-use super::meeting::{Coordinate, Meeting, meetings};
+use super::graph::{Graph, Joint, Span};
+use super::meeting::{Coordinate, Meeting, Meetings};
 use super::value::Value;
 
 /// Where a way along the lowered blank ends.
@@ -25,19 +25,25 @@ enum Wall {
     /// One point.
     Point(Value),
     /// The points of a joint from its lowest to its highest one, without end above at the end of the contour, and one
-    /// more to which an arc leads.
-    Joint { before: Option<Value>, low: i128, high: Option<i128> },
+    /// more to which an arc leads; the bounds of all.
+    Joint { before: Option<Value>, low: i128, high: Option<i128>, bounds: (i128, i128) },
 }
 
 impl Wall {
     fn of(joint: &Joint, is_last: bool) -> Self {
-        Self::Joint { before: joint.before, low: joint.low, high: (!is_last).then_some(joint.high) }
+        let Joint { before, low, high, bounds, .. } = *joint;
+        Self::Joint { before, low, high: (!is_last).then_some(high), bounds }
     }
 
     fn holds(&self, height: Value, slow: &mut SlowPaths) -> bool {
         match *self {
             Self::Point(value) => value.cmp(height, slow) == Ordering::Equal,
-            Self::Joint { before, low, high } => {
+            Self::Joint { before, low, high, bounds } => {
+                if height.cmp_whole(bounds.0) == Ordering::Less
+                    || high.is_some() && height.cmp_whole(bounds.1) == Ordering::Greater
+                {
+                    return false;
+                }
                 let inside = height.cmp_whole(low) != Ordering::Less
                     && high.is_none_or(|high| height.cmp_whole(high) != Ordering::Greater);
                 inside || before.is_some_and(|before| before.cmp(height, slow) == Ordering::Equal)
@@ -49,7 +55,9 @@ impl Wall {
     fn first_on(&self, from: i128, to: i128, slow: &mut SlowPaths) -> Option<Value> {
         let values = match *self {
             Self::Point(value) => [Some(value), None, None],
-            Self::Joint { before, low, high } => [before, Some(Value::whole(low)), high.map(Value::whole)],
+            Self::Joint { before, low, high, .. } => {
+                [before, Some(Value::whole(low)), high.map(Value::whole)]
+            }
         };
         let rises = to > from;
         let on_way = |value: &Value| {
@@ -94,6 +102,12 @@ impl Front {
         let mut is_first = true;
         let mut last = None;
         while let Some(span) = self.blank.spans.get(number) {
+            let passed = contour.map(|contour| self.first_near(contour, (span, drop)));
+            if let Some(joint) =
+                passed.filter(|_| passed != contour).and_then(|at| self.contour.joints.get(at))
+            {
+                (contour, low, is_first) = (passed, Coordinate::whole(joint.run), false);
+            }
             let piece = contour.and_then(|contour| self.contour.spans.get(contour));
             let end = match (contour, piece) {
                 (_, Some(piece)) => piece.to.run.min(span.to.run),
@@ -123,11 +137,11 @@ impl Front {
             let wall = wall.filter(|_| low != Coordinate::whole(end));
             let ends = span.to.run == end;
             let behind = self.blank.joints.get(number + 1).filter(|_| ends);
-            let arrival = self.arrival_at((span, behind), (end, drop), wall, slow);
-            match arrival {
-                (Some(arrival), _) => return arrival,
-                (None, reached) => last = Some(reached),
+            let reached = self.reached_at((span, behind), (end, drop), wall, slow);
+            if reached.arrives {
+                return reached.at(end);
             }
+            last = Some((reached, end));
             if is_end {
                 break;
             }
@@ -135,7 +149,26 @@ impl Front {
             number += usize::from(ends);
             low = Coordinate::whole(end);
         }
-        last.unwrap_or(Arrival { point: leave.point, element: 0 })
+        last.map_or(Arrival { point: leave.point, element: 0 }, |(reached, run)| reached.at(run))
+    }
+
+    /// The first span of the contour, from one on, along which or behind which it may meet a span of the lowered blank;
+    /// the last one, or the one in which that ends, at the latest. Bounds say nothing before the span of the blank.
+    fn first_near(&self, mut contour: usize, (span, drop): (&Span, i128)) -> usize {
+        let Graph { spans, joints } = &self.contour;
+        while let (Some(piece), Some(joint)) = (spans.get(contour), joints.get(contour + 1)) {
+            let is_last = contour + 1 >= spans.len() || piece.to.run >= span.to.run;
+            let is_before = piece.to.run < span.from.run;
+            if is_last
+                || is_before
+                || !span.is_apart(piece.bounds, drop)
+                || !span.is_apart(joint.bounds, drop)
+            {
+                break;
+            }
+            contour += 1;
+        }
+        contour
     }
 
     /// The span of the contour behind the beginning of a way; none before its start.
@@ -150,42 +183,52 @@ impl Front {
         Wall::of(joint, false).holds(height, slow)
     }
 
-    /// Whether the lowered blank arrives at the contour at a run, and else where it goes on from there.
-    fn arrival_at(
+    /// How far the way along the lowered blank leads at a run.
+    fn reached_at(
         &self,
         (span, joint): (&Span, Option<&Joint>),
         (run, drop): (i128, i128),
         wall: Option<Wall>,
         slow: &mut SlowPaths,
-    ) -> (Option<Arrival>, Arrival) {
-        let arrival = |height: Value, element: usize| Arrival {
-            point: Meeting { run: Coordinate::whole(run), height: Coordinate::Value(height) },
-            element,
-        };
-        let height = span.height(run).plus(-drop);
-        let mut reached = arrival(height, span.element);
+    ) -> Reached {
         let holds = |height: Value, slow: &mut SlowPaths| wall.is_some_and(|wall| wall.holds(height, slow));
-        if holds(height, slow) {
-            return (Some(reached), reached);
-        }
-        let Some(joint) = joint else { return (None, reached) };
+        let height = span.height(run).plus(-drop);
+        let arrives = holds(height, slow);
+        let mut reached = Reached { height, element: span.element, arrives };
+        let Some(joint) = joint.filter(|_| !arrives) else { return reached };
         let mut at = joint.first - drop;
-        reached = arrival(Value::whole(at), span.element);
-        if holds(Value::whole(at), slow) {
-            return (Some(reached), reached);
+        reached.height = Value::whole(at);
+        reached.arrives = holds(reached.height, slow);
+        if reached.arrives {
+            return reached;
         }
         for number in joint.elements.clone() {
             let Some(to) = self.elements.get(number).map(|element| self.end_height(element) - drop) else {
                 continue;
             };
             if let Some(height) = wall.and_then(|wall| wall.first_on(at, to, slow)) {
-                let found = arrival(height, number);
-                return (Some(found), found);
+                return Reached { height, element: number, arrives: true };
             }
             at = to;
-            reached = arrival(Value::whole(at), number);
+            reached = Reached { height: Value::whole(at), element: number, arrives: false };
         }
-        (None, reached)
+        reached
+    }
+}
+
+/// How far a way along the lowered blank leads at a run.
+struct Reached {
+    height: Value,
+    element: usize,
+    /// Whether it arrives at the contour there; else it goes on.
+    arrives: bool,
+}
+
+impl Reached {
+    /// As the end of the way.
+    fn at(self, run: i128) -> Arrival {
+        let point = Meeting { run: Coordinate::whole(run), height: Coordinate::Value(self.height) };
+        Arrival { point, element: self.element }
     }
 }
 
@@ -197,9 +240,13 @@ fn first_crossing(
     skip: Option<usize>,
     slow: &mut SlowPaths,
 ) -> Option<Meeting> {
+    if blank.is_apart(contour.bounds, drop) {
+        return None;
+    }
     let begin = contour.from.run.max(blank.from.run);
-    let points = meetings(contour, blank, drop).between((contour, blank, drop), (begin, end), slow);
-    let behind = points.into_iter().enumerate().filter(|(root, _)| skip.is_none_or(|skip| *root > skip));
+    let found = Meetings::between((contour, blank, drop), (begin, end), slow);
+    let behind =
+        found.points.into_iter().enumerate().filter(|(root, _)| skip.is_none_or(|skip| *root > skip));
     let mut behind = behind.filter_map(|(_, point)| point);
     match skip {
         Some(_) => behind.next(),

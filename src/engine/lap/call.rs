@@ -122,7 +122,7 @@ impl Interpreter<'_> {
             self.compensation.begin_block();
         }
         if self.ahead_count > 0 {
-            std::mem::swap(slot, &mut self.ahead[0]);
+            std::mem::swap(slot, &mut *self.ahead[0]);
             self.ahead.swap(0, 1);
             self.ahead_count -= 1;
             self.place = slot.place;

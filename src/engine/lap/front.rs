@@ -8,9 +8,9 @@ use crate::engine::fault::Fault;
 use crate::engine::planted::{self, Bug};
 
 use super::graph::{Graph, Joint, Span};
-use super::meeting::{Coordinate, Meeting, meetings};
+use super::meeting::{Coordinate, Meeting, Meetings};
 use super::outline::Element;
-use super::plane::Axes;
+use super::plane::{Axes, Spot};
 use super::value::Value;
 
 /// The blank with the level before it, and the contour.
@@ -153,12 +153,10 @@ impl Front {
         if span.to.run > self.begin {
             return Some(*span);
         }
-        let mut span = Span { circle: None, ..*span };
-        (span.from.height, span.to.height) = (self.floor, self.floor);
         // The contour may begin before the level does.
-        span.from.run =
-            span.from.run.min(self.contour.joints.first().map_or(span.from.run, |joint| joint.run));
-        Some(span)
+        let begin = self.contour.joints.first().map_or(span.from.run, |joint| joint.run);
+        let at = |run: i128| Spot { run, height: self.floor };
+        Some(Span::new(span.element, (at(span.from.run.min(begin)), at(span.to.run)), None))
     }
 
     /// Where the contour falls at one run from a height to another one; it is left there, or else in a point given.
@@ -267,9 +265,8 @@ impl Front {
         let drop = self.drop(times);
         let mut side = |run: i128| span.height(run).cmp(level.height(run).plus(-drop), slow);
         let (first, last) = (side(begin), side(end));
-        let all = meetings(span, level, drop);
-        let points = all.between((span, level, drop), (begin, end), slow);
-        let flips = if all.touch { 0 } else { points.iter().flatten().count() };
+        let Meetings { points, touch } = Meetings::between((span, level, drop), (begin, end), slow);
+        let flips = if touch { 0 } else { points.iter().flatten().count() };
         let after = match (first, last) {
             (Ordering::Equal, Ordering::Equal) => {
                 let sum = begin + end;
@@ -279,7 +276,7 @@ impl Front {
             (Ordering::Equal, last) => last.reverse(),
             (first, _) => first,
         };
-        Course { after, points, touch: all.touch }
+        Course { after, points, touch }
     }
 }
 

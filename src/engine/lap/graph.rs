@@ -17,9 +17,32 @@ pub struct Span {
     pub from: Spot,
     pub to: Spot,
     pub circle: Option<Circle>,
+    /// Whole numbers between which its heights lie from end to end, the bounds included.
+    pub bounds: (i128, i128),
 }
 
 impl Span {
+    /// An element with run, by its ends.
+    pub fn new(element: usize, (from, to): (Spot, Spot), circle: Option<Circle>) -> Self {
+        let bounds = (from.height.min(to.height), from.height.max(to.height));
+        let mut span = Self { element, from, to, circle, bounds };
+        if circle.is_some() {
+            let heights = [span.height(from.run), span.height(to.run)];
+            let top = span.top().map_or(heights[0], |(_, height)| height);
+            let whole = [heights[0], heights[1], top].map(|height| i128::from(height.latch(1, false)));
+            let [low, high] = [whole.iter().min(), whole.iter().max()].map(|end| end.copied().unwrap_or(0));
+            // Rounding moved none of them by more than a half.
+            span.bounds = (low - 1, high + 1);
+        }
+        span
+    }
+
+    /// Whether all its heights, when it is lowered, lie below or above some bounds.
+    #[inline]
+    pub fn is_apart(&self, bounds: (i128, i128), drop: i128) -> bool {
+        self.bounds.1 - drop < bounds.0 || bounds.1 < self.bounds.0 - drop
+    }
+
     /// Its height at a run between its ends: of the line, or of the circle through its start.
     pub fn height(&self, run: i128) -> Value {
         match self.circle {
@@ -104,8 +127,31 @@ pub struct Joint {
     /// The lowest and the highest of its points.
     pub low: i128,
     pub high: i128,
+    /// Whole numbers between which all of them lie, and the height before it too, the bounds included.
+    pub bounds: (i128, i128),
     /// Its elements, by number.
     pub elements: std::ops::Range<usize>,
+}
+
+impl Joint {
+    /// The joint at a spot, behind a height, of no elements yet but those from a number on.
+    fn new(spot: Spot, before: Option<Value>, element: usize) -> Self {
+        let Spot { run, height } = spot;
+        let bounds = match before.map(|before| i128::from(before.latch(1, false))) {
+            Some(before) => (height.min(before - 1), height.max(before + 1)),
+            None => (height, height),
+        };
+        let elements = element..element;
+        Self { run, before, first: height, last: height, low: height, high: height, bounds, elements }
+    }
+
+    /// Takes in an element without run, which leads to a height.
+    fn extend(&mut self, element: usize, height: i128) {
+        self.last = height;
+        (self.low, self.high) = (self.low.min(height), self.high.max(height));
+        self.bounds = (self.bounds.0.min(height), self.bounds.1.max(height));
+        self.elements.end = element + 1;
+    }
 }
 
 /// The spans of an outline, and the joint before each of them and behind the last one.
@@ -119,35 +165,16 @@ impl Graph {
     /// The graph of elements in a row that begin in a point.
     pub fn new(axes: Axes, start: Spot, elements: &[Element]) -> Self {
         let mut graph = Self { spans: Vec::with_capacity(elements.len()), joints: Vec::new() };
-        let mut joint = Joint {
-            run: start.run,
-            before: None,
-            first: start.height,
-            last: start.height,
-            low: start.height,
-            high: start.height,
-            elements: 0..0,
-        };
+        let mut joint = Joint::new(start, None, 0);
         for (number, element) in elements.iter().enumerate() {
             let (from, to) = (axes.spot(element.from), axes.spot(element.to));
             if from.run == to.run {
-                joint.last = to.height;
-                joint.low = joint.low.min(to.height);
-                joint.high = joint.high.max(to.height);
-                joint.elements.end = number + 1;
+                joint.extend(number, to.height);
                 continue;
             }
             let circle = element.arc.map(|(sense, centre)| circle(axes, from, sense, axes.spot(centre)));
-            let span = Span { element: number, from, to, circle };
-            let behind = Joint {
-                run: to.run,
-                before: Some(span.height(to.run)),
-                first: to.height,
-                last: to.height,
-                low: to.height,
-                high: to.height,
-                elements: number + 1..number + 1,
-            };
+            let span = Span::new(number, (from, to), circle);
+            let behind = Joint::new(to, Some(span.height(to.run)), number + 1);
             graph.joints.push(std::mem::replace(&mut joint, behind));
             graph.spans.push(span);
         }

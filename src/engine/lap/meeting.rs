@@ -124,7 +124,7 @@ impl Coordinate {
     }
 }
 
-/// The points in which two spans meet, in the order of their runs, wherever those are.
+/// The points in which two spans meet, in the order of their runs.
 #[derive(Clone, Copy, Default, Debug)]
 pub struct Meetings {
     pub points: [Option<Meeting>; 2],
@@ -133,7 +133,7 @@ pub struct Meetings {
 }
 
 /// Where a span meets another one that is lowered.
-pub fn meetings(first: &Span, second: &Span, drop: i128) -> Meetings {
+fn meetings(first: &Span, second: &Span, drop: i128) -> Meetings {
     let lowered = |spot: Spot| Spot { height: spot.height - drop, ..spot };
     let (from, to) = (lowered(second.from), lowered(second.to));
     match (first.circle, second.circle) {
@@ -160,9 +160,27 @@ fn lines((from, to): (Spot, Spot), (from_2, to_2): (Spot, Spot)) -> Meetings {
 }
 
 fn on_line(circle: Circle, from: Spot, to: Spot) -> Meetings {
+    if from.height == to.height {
+        return on_level(circle, from.height);
+    }
     let normal = Spot { run: to.height - from.height, height: from.run - to.run };
     let (run, height) = (from.run - circle.centre.run, from.height - circle.centre.height);
     points(circle, normal, normal.run * run + normal.height * height)
+}
+
+/// The points of a circle on a level have its height, and runs with one root, which compare in whole numbers.
+fn on_level(Circle { centre, square, .. }: Circle, height: i128) -> Meetings {
+    let above = height - centre.height;
+    let square = square - above * above;
+    if square < 0 {
+        return Meetings::default();
+    }
+    let point = |side| {
+        let run = Coordinate::Value(Value::Root { whole: centre.run, side, square });
+        Some(Meeting { run, height: Coordinate::whole(height) })
+    };
+    let touch = square == 0;
+    Meetings { points: [point(-1), point(1).filter(|_| !touch)], touch }
 }
 
 fn circles(circle: Circle, other: Circle) -> Meetings {
@@ -195,25 +213,30 @@ fn points(circle: Circle, normal: Spot, distance: i128) -> Meetings {
 }
 
 impl Meetings {
-    /// Those that lie between two runs, and on the sides of both arcs, with their numbers.
+    /// Where a span meets another one that is lowered, between two runs; each point keeps its number.
     pub fn between(
-        self,
         (first, second, drop): (&Span, &Span, i128),
         (begin, end): (i128, i128),
         slow: &mut SlowPaths,
-    ) -> [Option<Meeting>; 2] {
+    ) -> Self {
+        let covers = |span: &Span| span.from.run <= begin && end <= span.to.run;
+        if covers(first) && covers(second) && second.is_apart(first.bounds, drop) {
+            return Self::default();
+        }
+        let Self { points, touch } = meetings(first, second, drop);
         let on_side = |span: &Span, drop: i128, height: Coordinate, slow: &mut SlowPaths| {
             let Some(Circle { centre, up, .. }) = span.circle else { return true };
             let side = height.cmp_whole(centre.height - drop, slow);
             side != if up > 0 { Ordering::Less } else { Ordering::Greater }
         };
-        self.points.map(|point| {
+        let points = points.map(|point| {
             point.filter(|Meeting { run, height }| {
                 run.cmp_whole(begin, slow) == Ordering::Greater
                     && run.cmp_whole(end, slow) == Ordering::Less
                     && on_side(first, 0, *height, slow)
                     && on_side(second, drop, *height, slow)
             })
-        })
+        });
+        Self { points, touch }
     }
 }

@@ -31,7 +31,7 @@ impl Interpreter<'_> {
             Some(name) => self.named_program(text, name)?,
             None => {
                 let first = self.first_program(text);
-                first.ok_or(Fault::about(AlarmName::ProgramMissing, SDF_08, file))?
+                first.ok_or_else(|| Fault::about(AlarmName::ProgramMissing, SDF_08, file))?
             }
         };
         let contents = self.contents(program.text, program.start, program.end);
@@ -50,8 +50,8 @@ impl Interpreter<'_> {
         let mut files = self.setup.library.keys();
         let place = name.and_then(|name| files.position(|file| file.as_bytes() == name));
         // The text of the schedule itself has number 0.
-        let missing = Fault::about(AlarmName::FileMissing, rule, Label::from_bytes(file));
-        place.map(|place| place + 1).ok_or(missing)
+        let missing = || Fault::about(AlarmName::FileMissing, rule, Label::from_bytes(file));
+        place.map(|place| place + 1).ok_or_else(missing)
     }
 
     /// The program of a file that has a name.

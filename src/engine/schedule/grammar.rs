@@ -30,7 +30,7 @@ impl Parser<'_> {
             return if self.peek().is_none() { Ok(()) } else { Err(misplaced(SDF_04)) };
         }
         if self.peek() == Some(b'N') && self.run(self.at) != b"NOEX" {
-            self.block.sequence = self.sequence_name(true)?;
+            self.block.sequence = self.sequence_label(true)?;
             self.skip_blanks()?;
         } else if self.peek().is_none() {
             return Ok(());

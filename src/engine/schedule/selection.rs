@@ -61,7 +61,7 @@ impl Parser<'_> {
         if file.iter().any(|byte| matches!(byte, b'*' | b'?')) {
             return Fault::raise(AlarmName::FileWildcard, SDF_07);
         }
-        let parts = File::of(file).ok_or(Fault::new(AlarmName::FileNameMalformed, SDF_07))?;
+        let parts = File::of(file).ok_or_else(|| Fault::new(AlarmName::FileNameMalformed, SDF_07))?;
         let full = parts.full(b"A", b"MIN");
         Ok(self.keep(&full))
     }
@@ -73,7 +73,7 @@ impl Parser<'_> {
             return Ok(None);
         }
         let parts = File::of(file).filter(|parts| parts.name.is_some());
-        let full = parts.ok_or(Fault::new(AlarmName::FileNameMalformed, SDF_10))?.full(b"", b"SUB");
+        let full = parts.ok_or_else(|| Fault::new(AlarmName::FileNameMalformed, SDF_10))?.full(b"", b"SUB");
         Ok(Some(self.keep(&full)))
     }
 

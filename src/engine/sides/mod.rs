@@ -29,16 +29,14 @@ pub fn is_double(setup: &Setup) -> bool {
 }
 
 impl Interpreter<'_> {
-    /// An event with its turret or saddle, on machines that have more than one.
+    /// Gives an event its turret or saddle, on machines that have more than one.
     #[inline(always)]
-    pub(super) fn of_side(&self, event: Event) -> Event {
+    pub(super) fn name_side(&self, event: &mut Event) {
         if self.state.other_turret.is_some() {
-            return Event { turret: Some(self.state.selected), ..event };
+            event.turret = Some(self.state.selected);
+        } else if self.side.is_some() {
+            event.saddle = Some(self.state.selected);
         }
-        if self.side.is_some() {
-            return Event { saddle: Some(self.state.selected), ..event };
-        }
-        event
     }
 
     /// G96 with the reference at the other turret (E100L-MIRR-19), tested behind check 2.

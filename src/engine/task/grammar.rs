@@ -165,38 +165,34 @@ impl Parser<'_> {
     /// A block whose first item begins with G or M; true if that is a macro code.
     fn macro_code(&mut self, letter: u8) -> Result<bool, Fault> {
         self.item(letter)?;
-        let (control, rule) = match self.block.items.last() {
-            Some(Item::Word(Address::G, Source::Plain(number))) => {
-                (whole(*number).filter(|code| is_g_macro(*code)).map(Control::GMacro), MACRO_01)
-            }
-            Some(Item::Word(Address::M, Source::Plain(number))) => {
-                (whole(*number).filter(|code| is_m_macro(*code)).map(Control::MMacro), MACRO_02)
-            }
-            _ => (None, MACRO_01),
-        };
-        let Some(code) = control else {
-            self.contour_name()?;
+        let Some(Item::Word(address, Source::Plain(number))) = self.block.items.last() else {
             return Ok(false);
         };
-        self.refuse_on_two_saddles(code.word())?;
+        let Some(code) = whole(*number) else { return Ok(false) };
+        let (control, rule) = match address {
+            Address::G if is_g_macro(code) => (Control::GMacro(code), MACRO_01),
+            Address::M if is_m_macro(code) => (Control::MMacro(code), MACRO_02),
+            Address::G if matches!(code, 85..=88) => {
+                self.contour_name(code)?;
+                return Ok(false);
+            }
+            _ => return Ok(false),
+        };
+        self.refuse_on_two_saddles(control.word())?;
         self.block.items.clear();
-        self.block.control = control;
+        self.block.control = Some(control);
         self.items(Some(rule))?;
         Ok(true)
     }
 
     /// The name of the contour that a block with G85 to G88 in front calls (E100L-LAP-09).
-    fn contour_name(&mut self) -> Result<(), Fault> {
-        let Some(Item::Word(Address::G, Source::Plain(number))) = self.block.items.last() else {
-            return Ok(());
-        };
-        let Some(code) = whole(*number).filter(|code| matches!(code, 85..=88)) else { return Ok(()) };
+    fn contour_name(&mut self, code: u16) -> Result<(), Fault> {
         self.refuse_on_two_saddles(Label::of_code(b'G', code))?;
         self.skip_blanks()?;
         if self.peek() != Some(b'N') || self.run(self.at) == b"NOEX" {
             return Fault::raise(AlarmName::Format, LAP_09);
         }
-        self.block.contour = self.sequence_name(false)?;
+        self.block.contour = self.sequence_label(false)?;
         Ok(())
     }
 
@@ -220,7 +216,7 @@ impl Parser<'_> {
         if self.peek() != Some(b'N') || self.run(self.at) == b"NOEX" {
             return Fault::raise(AlarmName::Format, rule);
         }
-        let name = self.sequence_name(false)?;
+        let name = self.sequence_label(false)?;
         self.nothing_more(rule)?;
         Ok(name)
     }
@@ -296,8 +292,12 @@ fn delimiter_missing(rule: RuleId, word: Label) -> Fault {
 }
 
 /// The value of a plain number that is a code.
+#[inline(always)]
 pub fn whole(number: Number) -> Option<u16> {
     let Number::Decimal { digits, scale, .. } = number else { return None };
+    if scale == 0 {
+        return u16::try_from(digits).ok();
+    }
     let unit = TEN.get(usize::from(scale)).copied().filter(|unit| digits % unit == 0)?;
     u16::try_from(digits / unit).ok()
 }

@@ -184,11 +184,12 @@ impl Interpreter<'_> {
             self.begin_named(name, lines.start)?;
             return Ok(true);
         }
-        let sequence = slot.parsed.sequence;
-        let name = sequence.as_str().as_bytes().get(1..).unwrap_or_default();
-        let forgotten = planted::is(Bug::SkippedNameForgotten) && slot.parsed.skipped;
-        if !name.is_empty() && !forgotten && !self.is_first_with(name, lines.start) {
-            return Fault::raise(AlarmName::SequenceNameDuplicate, SEQ_03);
+        if !slot.parsed.sequence.is_empty() {
+            let name = slot.parsed.sequence.as_str().as_bytes().get(1..).unwrap_or_default();
+            let forgotten = planted::is(Bug::SkippedNameForgotten) && slot.parsed.skipped;
+            if !name.is_empty() && !forgotten && !self.is_first_with(name, lines.start) {
+                return Fault::raise(AlarmName::SequenceNameDuplicate, SEQ_03);
+            }
         }
         let (empty, skipped) = (slot.parsed.is_empty(), slot.parsed.skipped);
         self.begun |= !empty || skipped;

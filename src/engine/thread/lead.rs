@@ -1,7 +1,7 @@
 //! The lead of a thread, constant or changing, and its range (E100L-THRD-04, E100L-G33-09).
 
 use turnspec_oracle::vocabulary::rule_ids as rules;
-use turnspec_oracle::vocabulary::{AlarmName, FeedUnit};
+use turnspec_oracle::vocabulary::{AlarmName, FeedUnit, Label};
 
 use crate::engine::Interpreter;
 use crate::engine::arithmetic::lead;
@@ -39,7 +39,8 @@ impl Interpreter<'_> {
             return Err(unspecified(rules::THRD_10, "c_axis"));
         }
         if self.state.thread.phase_matching {
-            return Err(Fault { name: AlarmName::NotModelled, ..unspecified(rules::THRD_10, "M194") });
+            let detail = const { Label::new("M194") };
+            return Err(Fault::about(AlarmName::NotModelled, rules::THRD_10, detail));
         }
         Ok(())
     }

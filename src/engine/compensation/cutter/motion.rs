@@ -74,9 +74,10 @@ impl Interpreter<'_> {
             let travel = (waiting.kind, waiting.feed);
             let (cites, readings) = (cites, waiting.readings);
             let event = self.event_of_leg(leg, travel, (motion, &start, &end), (cites, rules, readings));
-            let event = self.of_side(Event { block: waiting.place, ..event });
+            let mut event = Event { block: waiting.place, ..event };
+            self.name_side(&mut event);
             self.state.contour.wind(leg.travel);
-            self.emit_at_once(sink, event);
+            self.emit_at_once(sink, &mut event);
             start = end;
         }
         if let Some(cutter) = &mut self.compensation.cutter {
