@@ -278,3 +278,20 @@ fn z_alone_in_g101_with_a_barrier() {
         ends_with(&program, "name=not_modelled detail=barrier line=6 rules=E100L-CGF-01", &setup());
     }
 }
+
+/// CRC-14: in G91 a word is added to the coordinate: C from 70 by −30 is C40. The two programs make the
+/// same motions.
+#[test]
+fn an_increment_of_c_is_added() {
+    let motions = |words: &str| -> Vec<String> {
+        let program = format!(
+            "M110\nG94 G00 X200 Z100 C90 T010101\nG119\nG42 G00 C70 Z80\n{words}\nG90 Z40\nG40 G00 C20 Z30\nM02\n"
+        );
+        let events = trace(&program, &setup());
+        assert!(events.last().is_some_and(|end| render(end).contains("end code=M02")), "{program}");
+        let is_motion = |text: &String| text.starts_with("linear") || text.starts_with("rapid");
+        let text = events.iter().map(render).filter(is_motion);
+        text.map(|text| text.split(" rules=").next().unwrap_or_default().to_owned()).collect()
+    };
+    assert_eq!(motions("G91 G01 C-30 F100"), motions("G90 G01 C40 F100"));
+}

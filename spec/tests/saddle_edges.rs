@@ -79,3 +79,16 @@ fn the_reference_turret_takes_its_own_x() {
         "...\nspindle state=stop speed=0 surface=100 saddle=A\nspindle state=cw speed=318.31 surface=100 saddle=A\n...\nend code=M02",
     );
 }
+
+/// E100L-AX4-12: variables, the detail the name; any name of the table of system variables, also one that is not modelled
+/// (SVTAB-01), the unit system (SVTAB-05) and the comment (VUACM-01). What the table does not have is no variable (SVAR-01).
+#[test]
+fn no_variable_of_the_table_is_described() {
+    for name in ["VETLN", "VAPPX", "VUNIT", "VUACM"] {
+        holds(
+            &format!("G13\nG00 X={name}\nM02\n"),
+            &format!("...\nalarm name=unspecified detail={name} line=2 rules=E100L-AX4-12"),
+        );
+    }
+    holds("G13\nG00 X=VNONE\nM02\n", "...\nalarm name=system_variable_unknown line=2 rules=E100L-SVAR-01");
+}
