@@ -204,3 +204,21 @@ fn a_torque_skip_of_z_forgets_the_corner_before_it() {
         "...\nlinear w=-9.5 line=3\nlinear x=120 z=60 line=4 rules=E100L-CHAM-13\n...\nend code=M02",
     );
 }
+
+/// E100L-ADDR-01: a word that no function of its block takes is refused with its address, the first in written order. G04 takes
+/// its time alone (G04-01), G28 nothing; without a code of the motion group (CSC-05) no word has a function.
+#[test]
+fn a_word_without_function_is_refused_with_its_address() {
+    for (program, detail, line) in [
+        ("G04 F2 X10\nM02\n", "X", 1),
+        ("G04 F2 L10\nM02\n", "L", 1),
+        ("G28 A10\nM02\n", "A", 1),
+        ("M110\nG137 C0\nI5\nM02\n", "I", 3),
+        ("M110\nG137 C0\nL5 K2\nM02\n", "L", 3),
+        ("M110\nG137 C0\nCALRG\nM02\n", "CALRG", 3),
+    ] {
+        let expected =
+            format!("...\nalarm name=word_without_function detail={detail} line={line} rules=E100L-ADDR-01");
+        holds(program, "", &expected);
+    }
+}
