@@ -26,6 +26,7 @@ esac
 outcomes=()
 lists=()
 declare -A first=([turnspec-oracle]=book [turnspec]=rules)
+declare -A sources=([turnspec-oracle]='spec/src/**/*.rs' [turnspec]='src/engine/arithmetic/*.rs')
 
 # Tries the mutants that a file names, by cargo-mutants: by file too, since version 27 does not look at the names of mutants
 # that delete a field. With a CARGO_TARGET_DIR its jobs would wait for each other. Status 2 is a survivor, 3 a time-out:
@@ -46,7 +47,7 @@ round() {
 for package in turnspec-oracle turnspec; do
     of=$output/$package
     mkdir "$of"
-    cargo mutants -p "$package" --list --json >"$of/list.json"
+    cargo mutants -p "$package" --file "${sources[$package]}" --list --json >"$of/list.json"
     lists+=(--list "$of/list.json")
     cargo run --locked --quiet -p turnspec-mutation -- --package "$package" --list "$of/list.json" \
         --work "$work/$package" --version "$(cargo mutants --version | cut -d' ' -f2)" \

@@ -1,7 +1,8 @@
-//! The values of set-ups and events as JSON and as text for people.
+//! The values of set-ups and events as JSON and as text for people; labels and sets of rules.
 
 use turnspec_oracle::vocabulary::{
-    Angle, Duration, FeedRate, Length, ProgramText, Reading, ReadingSet, Setup, Speed, Text,
+    Angle, Duration, FeedRate, Label, Length, ProgramText, Reading, ReadingSet, RuleId, RuleSet, Setup,
+    Speed, Text,
 };
 
 /// A number or decimal text, in the usual unit (the schema of a set-up); whole numbers that JSON writes without sign too.
@@ -65,4 +66,35 @@ fn a_reading_is_in_a_set_once() {
         let json = format!("[{0:?}, {0:?}]", reading.as_str());
         assert_eq!(serde_json::from_str::<ReadingSet>(&json).ok(), Some(once), "{json}");
     }
+}
+
+/// A set of rules has them in the order of the catalogue, each once, however they come; one too many is left out.
+#[test]
+fn a_set_of_rules_is_in_the_order_of_the_catalogue() {
+    let all: Vec<RuleId> = RuleId::all().collect();
+    let [a, b, c, d] = [all[0], all[1], all[700], all[all.len() - 1]];
+    let sorted = [a, b, c, d];
+    for order in [[a, b, c, d], [d, c, b, a], [b, d, a, c], [c, a, d, b], [d, a, c, b]] {
+        let set = RuleSet::of(&order);
+        assert_eq!(set.as_slice(), sorted);
+        assert_eq!(order.iter().fold(set, |set, rule| set.with(*rule)), set);
+        let (left, right) = order.split_at(2);
+        assert_eq!(RuleSet::of(left).union(RuleSet::of(right)), set);
+        assert_eq!(set.union(RuleSet::of(left)), set);
+    }
+    assert_eq!(RuleSet::of(&[a]).union(RuleSet::EMPTY).as_slice(), [a]);
+    assert_eq!(RuleSet::EMPTY.union(RuleSet::of(&[a, b])).as_slice(), [a, b]);
+
+    let full = RuleSet::of(&all[..40]);
+    assert_eq!(full.as_slice(), &all[..RuleSet::CAPACITY]);
+    assert_eq!(full.with(d), full);
+    assert_eq!(full.with(a), full);
+    assert_eq!(full.union(full), full);
+}
+
+/// A label holds 24 characters; what is behind them is cut off.
+#[test]
+fn a_label_holds_24_characters() {
+    assert_eq!(Label::new("ABCDEFGHIJKLMNOPQRSTUVWX").as_str(), "ABCDEFGHIJKLMNOPQRSTUVWX");
+    assert_eq!(Label::new("ABCDEFGHIJKLMNOPQRSTUVWXYZ").as_str(), "ABCDEFGHIJKLMNOPQRSTUVWX");
 }
