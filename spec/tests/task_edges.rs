@@ -46,3 +46,25 @@ fn thousandths_of_a_degree_are_integers() {
         assert_eq!(first.starts_with("alarm name=integer_overflow"), overflows, "{unit_system:?}: {first}");
     }
 }
+
+/// E100L-SVAR-10: corrections of X and of Z are 0 to ±0.999. E100L-SVAR-14: the cutting edge angle of a tool and of a group is
+/// ±360. A step beyond either end is `variable_range`.
+#[test]
+fn a_range_on_both_sides_of_zero_holds_for_each_variable() {
+    let ranges = [("VPFVX[1]", "0.999", "1"), ("VPFVZ[1]", "0.999", "1")];
+    let angles = [("VTLA2[1]", "360", "360.001"), ("VGRA2[1]", "360", "360.001")];
+    for (name, last, beyond) in ranges.into_iter().chain(angles) {
+        for sign in ["", "-"] {
+            let end = |value: &str| {
+                let events = trace(&format!("{name}={sign}{value}\nM02\n"), &Setup::default());
+                events.last().map(render).unwrap_or_default()
+            };
+            assert!(end(last).starts_with("end code=M02"), "{name}={sign}{last}: {}", end(last));
+            assert!(
+                end(beyond).starts_with("alarm name=variable_range"),
+                "{name}={sign}{beyond}: {}",
+                end(beyond)
+            );
+        }
+    }
+}
