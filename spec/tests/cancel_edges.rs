@@ -1,9 +1,6 @@
 //! The end of nose radius compensation at its edges: barriers and limits of the motion of the G40 block.
 
-#![allow(clippy::panic, clippy::unwrap_used)]
-
-use turnspec_oracle::vocabulary::notation::{Expectation, render};
-use turnspec_oracle::vocabulary::{Event, Setup};
+mod support;
 
 /// The chuck of the chapter on barriers: Z −90 to −30 with X 80 to 110, Z −90 to −50 with X 80 to 180.
 const CHUCK: &str = "
@@ -21,13 +18,7 @@ chuck_z = -30
 ";
 
 fn holds(program: &str, expected: &str, setup: &str) {
-    let setup = Setup::from_toml(&format!("{setup}{CHUCK}")).unwrap();
-    let mut trace = Vec::new();
-    turnspec_oracle::run(program.as_bytes(), &setup, &mut |event: &Event| trace.push(*event));
-    if let Err(divergence) = Expectation::parse(expected).matches(&trace) {
-        let found: Vec<String> = trace.iter().map(render).collect();
-        panic!("{divergence}\n{program}\n{}", found.join("\n"));
-    }
+    support::holds(program, expected, &support::set_up(&format!("{setup}{CHUCK}")));
 }
 
 /// BARR-01: every element is tested by itself, and the earlier ones of its block have been shown. CHAM-03: from (X200, Z−20)

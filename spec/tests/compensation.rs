@@ -2,7 +2,10 @@
 
 #![allow(clippy::panic)]
 
+mod support;
+
 use proptest::prelude::*;
+use support::trace;
 use turnspec_oracle::vocabulary::{Action, Event, Length, Motion, NoseRadius, PlanePosition, Setup};
 
 /// One element of a contour: its end, and the radius of an arc, counter-clockwise if `ccw`.
@@ -15,12 +18,6 @@ struct Step {
 
 /// A point of the contour in nanometres (z, x), x a radius, and half nanometres are halves.
 type Plane = (f64, f64);
-
-fn trace(program: &str, setup: &Setup) -> Vec<Event> {
-    let mut trace = Vec::new();
-    turnspec_oracle::run(program.as_bytes(), setup, &mut |event: &Event| trace.push(*event));
-    trace
-}
 
 fn motion(event: &Event) -> Option<Motion> {
     match event.action {

@@ -1,17 +1,14 @@
 //! Contours with the C axis and coordinate conversion: what their events cite, the order of their tests, what goes on
 //! between blocks, and laws of their arcs. The examples of the rule texts hold besides.
 
+mod support;
+
 use proptest::prelude::*;
+use support::trace;
 use turnspec_oracle::vocabulary::notation::render;
 use turnspec_oracle::vocabulary::{
     Action, Angle, ContourPlane, Event, Length, Motion, Setup, SidePlane, ToolOffset, UnitSystem,
 };
-
-fn trace(program: &str, setup: &Setup) -> Vec<Event> {
-    let mut trace = Vec::new();
-    turnspec_oracle::run(program.as_bytes(), setup, &mut |event: &Event| trace.push(*event));
-    trace
-}
 
 /// The events of one line of a program, from this one on, have these kinds and cite these rules, in whatever order.
 fn line_cites(program: &str, line: u32, from: usize, wanted: &[&str], setup: &Setup) {
@@ -38,9 +35,7 @@ fn line_cites(program: &str, line: u32, from: usize, wanted: &[&str], setup: &Se
 
 /// Whether the last event has these words of the compact notation.
 fn ends_with(program: &str, setup: &Setup, wanted: &str) {
-    let found = trace(program, setup).last().map(render).unwrap_or_default();
-    let words: Vec<&str> = found.split(' ').collect();
-    assert!(wanted.split(' ').all(|word| words.contains(&word)), "{program}\n{found}\n{wanted}");
+    support::ends_with(program, wanted, setup);
 }
 
 /// The same with the default set-up.

@@ -1,27 +1,10 @@
 //! Contours with the C axis and coordinate conversion at their edges: points that rounding would bring together, arcs at
 //! exactly 0.001 mm from the centre, what counts the turns of C anew. All values follow by hand from the rule texts.
 
-#![allow(clippy::panic)]
+mod support;
 
-use turnspec_oracle::vocabulary::notation::{Expectation, render};
-use turnspec_oracle::vocabulary::{Event, Setup};
-
-fn holds(program: &str, expected: &str, setup: &Setup) {
-    let mut trace = Vec::new();
-    turnspec_oracle::run(program.as_bytes(), setup, &mut |event: &Event| trace.push(*event));
-    if let Err(divergence) = Expectation::parse(expected).matches(&trace) {
-        let found: Vec<String> = trace.iter().map(render).collect();
-        panic!("{divergence}\n{program}\n{}", found.join("\n"));
-    }
-}
-
-/// The program ends with these words of the compact notation.
-fn ends_with(program: &str, wanted: &str, setup: &Setup) {
-    let mut found = String::new();
-    turnspec_oracle::run(program.as_bytes(), setup, &mut |event: &Event| found = render(event));
-    let words: Vec<&str> = found.split(' ').collect();
-    assert!(wanted.split(' ').all(|word| words.contains(&word)), "{program}\n{found}\n{wanted}");
-}
+use support::{ends_with, holds};
+use turnspec_oracle::vocabulary::Setup;
 
 /// CGF-06: the sides are decided by the angles, not by the rounded points. X0.002 is (0.001, 0) at C0 and, latched, at C0.001
 /// too (0.001·sin 0.001° is 0.00000002): d = 0.001 is no 0 (CGF-09), C turns by it.

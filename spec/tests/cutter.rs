@@ -1,10 +1,11 @@
 //! Cutter radius compensation in G17 and G119: paths whose numbers follow by hand from the text (execution-contour.md,
 //! section 9), every alarm of it, and what the events cite.
 
-#![allow(clippy::panic)]
+mod support;
 
+use support::{ends_with, trace};
 use turnspec_oracle::integer::turn::{around, beside};
-use turnspec_oracle::vocabulary::notation::{Expectation, render};
+use turnspec_oracle::vocabulary::notation::render;
 use turnspec_oracle::vocabulary::{Event, Length, NoseRadius, Setup};
 
 /// Tool 1 with a radius of 5 mm. The second amount of the entry and its sign play no part (E100L-CRC-09, E100L-CRC-10).
@@ -13,31 +14,14 @@ fn setup() -> Setup {
     Setup { nose_radius: vec![entry], ..Setup::default() }
 }
 
-fn trace(program: &str, setup: &Setup) -> Vec<Event> {
-    let mut trace = Vec::new();
-    turnspec_oracle::run(program.as_bytes(), setup, &mut |event: &Event| trace.push(*event));
-    trace
-}
-
-fn holds_with(program: &str, expected: &str, setup: &Setup) {
-    let trace = trace(program, setup);
-    if let Err(divergence) = Expectation::parse(expected).matches(&trace) {
-        let found: Vec<String> = trace.iter().map(render).collect();
-        panic!("{divergence}\n{program}\n{}", found.join("\n"));
-    }
-}
-
 fn holds(program: &str, expected: &str) {
-    holds_with(program, expected, &setup());
+    support::holds(program, expected, &setup());
 }
 
 /// The programs that begin so end with these words of the compact notation.
 fn all_end_with(begin: &str, cases: &[(&str, &str)]) {
     for (blocks, wanted) in cases {
-        let program = format!("{begin}{blocks}");
-        let found = trace(&program, &setup()).last().map(render).unwrap_or_default();
-        let words: Vec<&str> = found.split(' ').collect();
-        assert!(wanted.split(' ').all(|word| words.contains(&word)), "{program}\n{found}\n{wanted}");
+        ends_with(&format!("{begin}{blocks}"), wanted, &setup());
     }
 }
 
@@ -209,7 +193,7 @@ end code=M02",
     let mut inner = setup();
     inner.parameters.side_plane = turnspec_oracle::vocabulary::SidePlane::Inner;
     let program = program.replace("G41", "G42").replace("G133", "G132");
-    holds_with(
+    support::holds(
         &program,
         "...
 linear tz=35 tc=50
@@ -419,7 +403,7 @@ fn limits_are_those_of_the_cutter() {
     setup.limits.x.positive = Some(Length(110_000_000));
     setup.limits.z.positive = Some(Length(20_000_000));
     let holds =
-        |begin: &str, blocks: &str, wanted: &str| holds_with(&format!("{begin}{blocks}"), wanted, &setup);
+        |begin: &str, blocks: &str, wanted: &str| support::holds(&format!("{begin}{blocks}"), wanted, &setup);
     // The cutter on the right and on the left of the way up, P 10 mm of diameter beside it.
     holds(
         CONVERTED,

@@ -1,10 +1,11 @@
 //! Cutter radius compensation at its edges: other axes along with the plane, offsets of the frame, exact half circles, and
 //! the limits of the addresses. All values follow by hand from execution-contour.md, section 9, and execution.md, chapter 5.
 
-#![allow(clippy::panic)]
+mod support;
 
-use turnspec_oracle::vocabulary::notation::{Expectation, render};
-use turnspec_oracle::vocabulary::{Angle, Event, Length, NoseRadius, Setup};
+use support::{ends_with, holds, trace};
+use turnspec_oracle::vocabulary::notation::render;
+use turnspec_oracle::vocabulary::{Angle, Length, NoseRadius, Setup};
 
 /// Tool 1 with this radius in nanometres, on a machine with a W axis.
 fn cutter(radius: i64) -> Setup {
@@ -19,33 +20,12 @@ fn setup() -> Setup {
     cutter(5_000_000)
 }
 
-fn trace(program: &str, setup: &Setup) -> Vec<Event> {
-    let mut trace = Vec::new();
-    turnspec_oracle::run(program.as_bytes(), setup, &mut |event: &Event| trace.push(*event));
-    trace
-}
-
-fn holds(program: &str, expected: &str, setup: &Setup) {
-    let trace = trace(program, setup);
-    if let Err(divergence) = Expectation::parse(expected).matches(&trace) {
-        let found: Vec<String> = trace.iter().map(render).collect();
-        panic!("{divergence}\n{program}\n{}", found.join("\n"));
-    }
-}
-
-/// The program ends with these words of the compact notation.
-fn ends_with(program: &str, wanted: &str, setup: &Setup) {
-    let found = trace(program, setup).last().map(render).unwrap_or_default();
-    let words: Vec<&str> = found.split(' ').collect();
-    assert!(wanted.split(' ').all(|word| words.contains(&word)), "{program}\n{found}\n{wanted}");
-}
-
 /// Whether the first motion of this line cites a rule.
 fn cites(program: &str, line: u32, rule: &str) -> bool {
     let events = trace(program, &setup());
     let motion = events.iter().find(|event| event.block.line == line && render(event).contains(" mx="));
     assert!(motion.is_some(), "{program}");
-    motion.is_some_and(|event| event.rules.as_slice().iter().any(|each| each.as_str() == rule))
+    motion.is_some_and(|event| support::cites(event, rule))
 }
 
 const FACE: &str = "M110\nG94 G00 X100 C0 F100 T010101\nG17\n";

@@ -1,10 +1,11 @@
 //! Laws of cutter radius compensation: a contour of the face is that of the nose centre in turning; on the side the cutter
 //! touches both lines of a corner; what is written wildly is refused, or carried out.
 
-#![allow(clippy::panic)]
+mod support;
 
 use proptest::prelude::*;
-use turnspec_oracle::vocabulary::{Action, Event, Length, Motion, NoseRadius, Setup, SidePlane};
+use support::trace;
+use turnspec_oracle::vocabulary::{Action, Length, Motion, NoseRadius, Setup, SidePlane};
 
 /// One element of a contour: its end in millimetres, and the radius of an arc, counter-clockwise if `ccw`.
 #[derive(Clone, Copy, Debug)]
@@ -17,12 +18,6 @@ struct Step {
 fn setup(radius: i64) -> Setup {
     let entry = NoseRadius { number: 1, x: Length(radius * 1000), z: Length(radius * 1000) };
     Setup { nose_radius: vec![entry], ..Setup::default() }
-}
-
-fn trace(program: &str, setup: &Setup) -> Vec<Event> {
-    let mut trace = Vec::new();
-    turnspec_oracle::run(program.as_bytes(), setup, &mut |event: &Event| trace.push(*event));
-    trace
 }
 
 /// The last motion of each line of a program that runs to its end.

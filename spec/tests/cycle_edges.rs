@@ -3,34 +3,26 @@
 
 #![allow(clippy::panic)]
 
-use turnspec_oracle::vocabulary::notation::{Expectation, render};
-use turnspec_oracle::vocabulary::{Event, Setup};
+mod support;
+
+use support::has_words;
+use turnspec_oracle::vocabulary::Event;
+use turnspec_oracle::vocabulary::notation::render;
 
 fn trace(program: &str, setup: &str) -> Vec<Event> {
-    let setup = Setup::from_toml(setup).unwrap_or_else(|error| panic!("{error}\n{setup}"));
-    let mut trace = Vec::new();
-    turnspec_oracle::run(program.as_bytes(), &setup, &mut |event: &Event| trace.push(*event));
-    trace
+    support::trace(program, &support::set_up(setup))
 }
 
 fn holds(program: &str, setup: &str, expected: &str) {
-    let trace = trace(program, setup);
-    if let Err(divergence) = Expectation::parse(expected).matches(&trace) {
-        let found: Vec<String> = trace.iter().map(render).collect();
-        panic!("{divergence}\n{program}\n{}", found.join("\n"));
-    }
+    support::holds(program, expected, &support::set_up(setup));
 }
 
 /// Whether the one event with all these words of the compact notation cites a rule.
 fn cites(program: &str, setup: &str, words: &str, rule: &str) -> bool {
     let all = trace(program, setup);
-    let is_meant = |event: &&Event| {
-        let text = render(event);
-        words.split(' ').all(|word| text.split(' ').any(|each| each == word))
-    };
-    let meant: Vec<&Event> = all.iter().filter(is_meant).collect();
+    let meant: Vec<&Event> = all.iter().filter(|event| has_words(&render(event), words)).collect();
     let [event] = meant[..] else { panic!("{} events with {words}\n{program}", meant.len()) };
-    event.rules.as_slice().iter().any(|each| each.as_str() == rule)
+    support::cites(event, rule)
 }
 
 /// MCYC-19 is about the feed of G184 with M140; section 10: its cut cites it "in G184, not synchronised, with M140".

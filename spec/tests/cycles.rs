@@ -9,7 +9,7 @@ use turnspec_oracle::vocabulary::{
     CycleReturn, Event, G184Tapping, Length, Limit, MachineType, Setup, ToolOffset, UnitSystem,
 };
 
-use support::{kind, trace, value};
+use support::{kind, texts, value};
 
 /// Kind (or code), pass, part, and sorted rules and readings of each event.
 fn cited(program: &str, setup: &Setup) -> Vec<String> {
@@ -35,12 +35,8 @@ fn line(head: &str, names: &[&str]) -> String {
     format!("{head}: {}", names.join(" "))
 }
 
-/// The last event has all these words.
 fn ends_with(program: &str, setup: &Setup, wanted: &str) {
-    let events = trace(program, setup);
-    let last = events.last().map_or("", String::as_str);
-    let words: Vec<&str> = last.split(' ').collect();
-    assert!(wanted.split(' ').all(|word| words.contains(&word)), "{program}\n{last}\n{wanted}");
+    support::ends_with(program, wanted, setup);
 }
 
 const MOTION: &str = "COORD-03 ABS-01";
@@ -352,7 +348,7 @@ fn corners_and_modal_calls() {
     ends_with(&format!("{corner}G73 X10 D5\nM02\n"), &setup, "name=angle_lookahead line=2");
     ends_with(&format!("{corner}G94 G181 X10 R5 K1\nM02\n"), &setup, "name=angle_lookahead line=2");
     setup.parameters.chamfering = turnspec_oracle::vocabulary::Chamfering::Basic;
-    let events = trace(&format!("{corner}G91 G74 Z-5 D9\nG90\nM02\n"), &setup);
+    let events = texts(&format!("{corner}G91 G74 Z-5 D9\nG90\nM02\n"), &setup);
     // The chamfer ends at X24 Z-20, whatever its corner is.
     assert!(
         events.iter().any(|event| event.contains("part=cut") && value(event, "z") == "-25"),
@@ -360,7 +356,7 @@ fn corners_and_modal_calls() {
     );
     setup.library.insert("A.SUB".to_owned(), turnspec_oracle::vocabulary::ProgramText(b"O5\nRTS\n".to_vec()));
     let program = "G00 X10 Z0\nMODIN O5\nG73 X5 D9 F1\nMODOUT\nM02\n";
-    assert!(!trace(program, &setup).iter().any(|event| event.starts_with("call")));
+    assert!(!texts(program, &setup).iter().any(|event| event.starts_with("call")));
 }
 
 /// The motion mode is in force again after the cycle; F of a cycle in a thread mode is no lead.
@@ -372,7 +368,7 @@ fn a_thread_mode_stays() {
     let program = "M110\nG00 X60 Z20 SB=400\nG33\nG94 G181 X60 Z5 K10 F50000\nG180\nG00 X1 Z1\nM02\n";
     ends_with(program, &setup, "end code=M02");
     let program = "G00 X60 Z20\nG33\nG73 X50 D4 F0.1\nM02\n";
-    assert_eq!(trace(program, &setup).iter().filter(|event| event.contains("part=cut")).count(), 3);
+    assert_eq!(texts(program, &setup).iter().filter(|event| event.contains("part=cut")).count(), 3);
 }
 
 /// E100L-GOTO-03: each cutting pass of a block but its first is a step, before its spindle has turned back.
@@ -390,7 +386,7 @@ fn passes_are_steps() {
         setup.limits.steps = all;
         ends_with(&program, &setup, "name=step_limit line=4");
         setup.limits.steps = steps;
-        let events = trace(&program, &setup);
+        let events = texts(&program, &setup);
         ends_with(&program, &setup, "name=step_limit line=3");
         let before = events.iter().rev().nth(1).map_or("", String::as_str);
         assert!(last.split(' ').all(|word| before.split(' ').any(|each| each == word)), "{before}\n{last}");
@@ -402,7 +398,7 @@ fn passes_are_steps() {
 fn taps_on_the_opposite_turret() {
     let mut setup = Setup::default();
     setup.machine.r#type = MachineType::TwoTurrets;
-    let events = trace("G14\nS100\nG77 X0 Z-5 K1 F1\nG73 X-8 D9\nM02\n", &setup);
+    let events = texts("G14\nS100\nG77 X0 Z-5 K1 F1\nG73 X-8 D9\nM02\n", &setup);
     let senses: Vec<&str> =
         events.iter().filter(|event| event.contains("TAP-01")).map(|event| value(event, "state")).collect();
     assert_eq!(senses, ["ccw", "-", "-", "stop", "cw", "-", "-", "stop"]);
@@ -416,7 +412,7 @@ fn two_saddles_groove() {
     let mut setup = Setup::default();
     setup.machine.r#type = MachineType::TwoSaddles;
     let program = "G13\nG00 X60\nG73 X50 D4 F0.1\nG77 X0 Z-5 K1 S100 P5\nG14\nG74 Z-9 D3 F0.1 S100 P5\nM02\n";
-    let events = trace(program, &setup);
+    let events = texts(program, &setup);
     let cuts: Vec<&str> = events
         .iter()
         .filter(|event| event.contains("part=cut"))
@@ -432,7 +428,7 @@ fn parameters_and_limits() {
     let mut setup = Setup::default();
     setup.parameters.cycle_return = CycleReturn::CycleStart;
     setup.parameters.g184_tapping = G184Tapping::Synchronised;
-    let events = trace(&format!("{JOINED}G184 X60 Z5 K10 F500\nG180\nG00 X9 Z9\nM02\n"), &setup);
+    let events = texts(&format!("{JOINED}G184 X60 Z5 K10 F500\nG180\nG00 X9 Z9\nM02\n"), &setup);
     assert!(events.iter().any(|event| value(event, "part") == "return" && value(event, "z") == "20"));
     assert!(events.iter().any(|event| value(event, "lead") == "1.25"));
     setup.limits.x = Limit { positive: Some(Length(65_000_000)), negative: None };
@@ -498,7 +494,7 @@ proptest! {
         setup.options.w_axis = g94;
         let joined = if joined { "M110\n" } else { "" };
         let feed = if g94 { "G94" } else { "G95" };
-        let events = trace(&format!("S100 SB=300 SA=2 F2\n{joined}{feed}\n{}M02\n", blocks.concat()), &setup);
+        let events = texts(&format!("S100 SB=300 SA=2 F2\n{joined}{feed}\n{}M02\n", blocks.concat()), &setup);
         let last = events.last().map_or("", String::as_str);
         prop_assert!(matches!(kind(last), "end" | "alarm"), "{last}");
         prop_assert!(events.len() < 60 * 12);
@@ -510,7 +506,7 @@ proptest! {
     fn pecks_reach_the_bottom(depth in 1_i64..40_000, infeed in 400_i64..9_000, discharge in 1_i64..20_000) {
         let mm = |value: i64| format!("{}.{:03}", value / 1_000, value % 1_000);
         let program = format!("G00 Z0\nG74 Z-{} D{} L{} F1\nM02\n", mm(depth), mm(infeed), mm(discharge));
-        let events = trace(&program, &Setup::default());
+        let events = texts(&program, &Setup::default());
         let level = |event: &String| Length::parse(value(event, "z")).map_or(0, |z| -z.0 / 1_000);
         let (mut reached, mut since) = (0, 0);
         for event in events.iter().filter(|event| value(event, "pass") != "-") {

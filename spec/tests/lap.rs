@@ -1,17 +1,12 @@
 //! LAP: laws of rough cycles, and what calls and definitions do between blocks. The examples of the rule texts hold
 //! besides.
 
-#![allow(clippy::panic)]
+mod support;
 
 use proptest::prelude::*;
+use support::trace;
 use turnspec_oracle::vocabulary::notation::render;
 use turnspec_oracle::vocabulary::{Action, Event, Length, Motion, NoseRadius, Part, Sense, Setup};
-
-fn trace(program: &str, setup: &Setup) -> Vec<Event> {
-    let mut trace = Vec::new();
-    turnspec_oracle::run(program.as_bytes(), setup, &mut |event: &Event| trace.push(*event));
-    trace
-}
 
 fn last(program: &str) -> String {
     trace(program, &Setup::default()).last().map(render).unwrap_or_default()

@@ -2,13 +2,13 @@
 
 #![allow(clippy::panic)]
 
+mod support;
+
 use turnspec_oracle::vocabulary::notation::{Expectation, render};
 use turnspec_oracle::vocabulary::{Event, Setup};
 
 fn trace(program: &str) -> Vec<Event> {
-    let mut trace = Vec::new();
-    turnspec_oracle::run(program.as_bytes(), &Setup::default(), &mut |event: &Event| trace.push(*event));
-    trace
+    support::trace(program, &Setup::default())
 }
 
 /// W20 brings the start of the rough contour, and the wall there, to Z20, before S at Z0. At Ø26 the line from S (40, 0)

@@ -1,29 +1,13 @@
 //! LAP: what calls and definitions may hold, at the edges of the tables of execution-lap.md, sections 3 and 5.
 
-#![allow(clippy::panic)]
+mod support;
 
-use turnspec_oracle::vocabulary::notation::{Expectation, render};
-use turnspec_oracle::vocabulary::{Event, Length, NoseRadius, Setup};
-
-fn trace(program: &str, setup: &Setup) -> Vec<Event> {
-    let mut trace = Vec::new();
-    turnspec_oracle::run(program.as_bytes(), setup, &mut |event: &Event| trace.push(*event));
-    trace
-}
-
-fn holds(program: &str, expected: &str, setup: &Setup) {
-    let trace = trace(program, setup);
-    if let Err(divergence) = Expectation::parse(expected).matches(&trace) {
-        let found: Vec<String> = trace.iter().map(render).collect();
-        panic!("{divergence}\n{program}\n{}", found.join("\n"));
-    }
-}
+use support::holds;
+use turnspec_oracle::vocabulary::{Length, NoseRadius, Setup};
 
 /// The program ends with these words of the compact notation.
 fn ends_with(program: &str, wanted: &str) {
-    let found = trace(program, &Setup::default()).last().map(render).unwrap_or_default();
-    let words: Vec<&str> = found.split(' ').collect();
-    assert!(wanted.split(' ').all(|word| words.contains(&word)), "{program}\n{found}\n{wanted}");
+    support::ends_with(program, wanted, &Setup::default());
 }
 
 /// E100L-LAPC-02: DA or FA without XA and ZA, DB or FB without XB and ZB, or no point at all.

@@ -1,27 +1,14 @@
 //! G87 at its edges (E100L-LAPC-06; execution-lap.md, sections 5 and 6): contour coordinates and those of the program, what
 //! comes before the first motion, and what look-ahead finds in a program that a definition calls. Values follow by hand.
 
-#![allow(clippy::panic)]
+mod support;
 
-use turnspec_oracle::vocabulary::notation::{Expectation, render};
-use turnspec_oracle::vocabulary::{Event, ProgramText, Setup};
-
-fn trace(program: &str, setup: &Setup) -> Vec<Event> {
-    let mut trace = Vec::new();
-    turnspec_oracle::run(program.as_bytes(), setup, &mut |event: &Event| trace.push(*event));
-    trace
-}
-
-fn holds_with(program: &str, expected: &str, setup: &Setup) {
-    let trace = trace(program, setup);
-    if let Err(divergence) = Expectation::parse(expected).matches(&trace) {
-        let found: Vec<String> = trace.iter().map(render).collect();
-        panic!("{divergence}\n{program}\n{}", found.join("\n"));
-    }
-}
+use support::trace;
+use turnspec_oracle::vocabulary::notation::render;
+use turnspec_oracle::vocabulary::{ProgramText, Setup};
 
 fn holds(program: &str, expected: &str) {
-    holds_with(program, expected, &Setup::default());
+    support::holds(program, expected, &Setup::default());
 }
 
 /// A contour from (20, 0) that is finished from (80, 50), with these words of the call.
@@ -145,8 +132,8 @@ fn look_ahead_finds_the_end_of_a_called_program() {
     let setup = Setup { library: [("A.SUB".to_owned(), sub)].into(), ..Setup::default() };
     let program =
         |block: &str| format!("NA G81\nG00 X20 Z2\n{block}\nG80\nG00 X36 Z4\nG85 NA D8 F0.3\nM02\n");
-    holds_with(&program("CALL O1"), "...\nalarm name=unspecified detail=RTS rules=E100L-ANG-06", &setup);
-    holds_with(
+    support::holds(&program("CALL O1"), "...\nalarm name=unspecified detail=RTS rules=E100L-ANG-06", &setup);
+    support::holds(
         &program("G01 A135\nRTS"),
         "...\nalarm name=unspecified detail=RTS rules=E100L-LAP-04",
         &setup,

@@ -2,25 +2,14 @@
 //! E100L-AP5-06; execution-lap.md, section 12). The blank is a cylinder, so that K_j is the level X1 − j·D. Values follow by
 //! hand.
 
-#![allow(clippy::panic)]
+mod support;
 
 use std::fmt::Write as _;
 
-use turnspec_oracle::vocabulary::notation::{Expectation, render};
-use turnspec_oracle::vocabulary::{Event, Setup};
-
-fn trace(program: &str) -> Vec<Event> {
-    let mut trace = Vec::new();
-    turnspec_oracle::run(program.as_bytes(), &Setup::default(), &mut |event: &Event| trace.push(*event));
-    trace
-}
+use turnspec_oracle::vocabulary::Setup;
 
 fn holds(program: &str, expected: &str) {
-    let trace = trace(program);
-    if let Err(divergence) = Expectation::parse(expected).matches(&trace) {
-        let found: Vec<String> = trace.iter().map(render).collect();
-        panic!("{divergence}\n{program}\n{}", found.join("\n"));
-    }
+    support::holds(program, expected, &Setup::default());
 }
 
 /// A cylinder of Ø60 from Z0 to Z−60, D4, and a contour of Ø20 from Z0, that ends at its diameter.

@@ -1,30 +1,17 @@
 //! LAP: outlines of contours and blanks at their edges: directions, pieces of arcs, descents, and where a blank is above a
 //! level (execution-lap.md, sections 8, 11 and 12). A height is half of X, a run grows toward −Z.
 
-#![allow(clippy::panic)]
+mod support;
 
-use turnspec_oracle::vocabulary::notation::{Expectation, render};
-use turnspec_oracle::vocabulary::{Event, Setup};
-
-fn trace(program: &str) -> Vec<Event> {
-    let mut trace = Vec::new();
-    turnspec_oracle::run(program.as_bytes(), &Setup::default(), &mut |event: &Event| trace.push(*event));
-    trace
-}
+use turnspec_oracle::vocabulary::Setup;
 
 fn holds(program: &str, expected: &str) {
-    let trace = trace(program);
-    if let Err(divergence) = Expectation::parse(expected).matches(&trace) {
-        let found: Vec<String> = trace.iter().map(render).collect();
-        panic!("{divergence}\n{program}\n{}", found.join("\n"));
-    }
+    support::holds(program, expected, &Setup::default());
 }
 
 /// The program ends with these words of the compact notation.
 fn ends_with(program: &str, wanted: &str) {
-    let found = trace(program).last().map(render).unwrap_or_default();
-    let words: Vec<&str> = found.split(' ').collect();
-    assert!(wanted.split(' ').all(|word| words.contains(&word)), "{program}\n{found}\n{wanted}");
+    support::ends_with(program, wanted, &Setup::default());
 }
 
 /// A call behind a definition, from this AP start.

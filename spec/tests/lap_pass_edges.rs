@@ -1,29 +1,13 @@
 //! LAP: passes of the modes at their edges, and the rules that their motions cite (execution-lap.md, sections 7 to 14).
 
-#![allow(clippy::panic)]
+mod support;
 
-use turnspec_oracle::vocabulary::notation::{Expectation, render};
-use turnspec_oracle::vocabulary::{Event, Setup};
-
-fn trace(program: &str, setup: &Setup) -> Vec<Event> {
-    let mut trace = Vec::new();
-    turnspec_oracle::run(program.as_bytes(), setup, &mut |event: &Event| trace.push(*event));
-    trace
-}
+use support::{cites, ends_with, has_words, trace};
+use turnspec_oracle::vocabulary::Setup;
+use turnspec_oracle::vocabulary::notation::render;
 
 fn holds(program: &str, expected: &str) {
-    let trace = trace(program, &Setup::default());
-    if let Err(divergence) = Expectation::parse(expected).matches(&trace) {
-        let found: Vec<String> = trace.iter().map(render).collect();
-        panic!("{divergence}\n{program}\n{}", found.join("\n"));
-    }
-}
-
-/// The last event has these words of the compact notation.
-fn ends_with(program: &str, wanted: &str, setup: &Setup) {
-    let found = trace(program, setup).last().map(render).unwrap_or_default();
-    let words: Vec<&str> = found.split(' ').collect();
-    assert!(wanted.split(' ').all(|word| words.contains(&word)), "{program}\n{found}\n{wanted}");
+    support::holds(program, expected, &Setup::default());
 }
 
 /// Of the motions of the program with these words, whether each cites the rule, or, if it `must` not, none.
@@ -31,11 +15,9 @@ fn cite(program: &str, words: &str, rule: &str, must: bool) {
     let mut found = 0;
     for event in trace(program, &Setup::default()) {
         let text = render(&event);
-        let has: Vec<&str> = text.split(' ').collect();
-        if words.split(' ').all(|word| has.contains(&word)) {
+        if has_words(&text, words) {
             found += 1;
-            let cites = event.rules.as_slice().iter().any(|each| each.as_str() == rule);
-            assert_eq!(cites, must, "{program}\n{text}\n{rule}");
+            assert_eq!(cites(&event, rule), must, "{program}\n{text}\n{rule}");
         }
     }
     assert!(found > 0, "{program}\n{words}");

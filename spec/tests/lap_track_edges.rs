@@ -2,10 +2,9 @@
 //! the first common point, the half-line over the end of the contour, and the highest point of what was cut. K_j is the
 //! blank moved by j·D, and a level of 2 in front of it. Values follow by hand.
 
-#![allow(clippy::panic)]
+mod support;
 
-use turnspec_oracle::vocabulary::notation::{Expectation, render};
-use turnspec_oracle::vocabulary::{Event, Length, Setup};
+use turnspec_oracle::vocabulary::{Length, Setup};
 
 /// Radii of an arc may differ by 1 mm (E100L-CIRC-11).
 fn setup() -> Setup {
@@ -15,12 +14,7 @@ fn setup() -> Setup {
 }
 
 fn holds(program: &str, expected: &str) {
-    let mut trace = Vec::new();
-    turnspec_oracle::run(program.as_bytes(), &setup(), &mut |event: &Event| trace.push(*event));
-    if let Err(divergence) = Expectation::parse(expected).matches(&trace) {
-        let found: Vec<String> = trace.iter().map(render).collect();
-        panic!("{divergence}\n{program}\n{}", found.join("\n"));
-    }
+    support::holds(program, expected, &setup());
 }
 
 /// A call from (120, 9) for a blank and a contour from (x, 0), written from their second block on.

@@ -1,35 +1,24 @@
 //! Modal codes, feeds and limits at their edges. All values follow by hand from the rules named.
 
-#![allow(clippy::panic)]
+mod support;
 
-use turnspec_oracle::vocabulary::notation::{Expectation, render};
-use turnspec_oracle::vocabulary::{Event, Setup};
+use support::{cites, has_words};
+use turnspec_oracle::vocabulary::Event;
+use turnspec_oracle::vocabulary::notation::render;
 
 fn trace(program: &str, setup: &str) -> Vec<Event> {
-    let setup = Setup::from_toml(setup).unwrap_or_else(|error| panic!("{error}\n{setup}"));
-    let mut trace = Vec::new();
-    turnspec_oracle::run(program.as_bytes(), &setup, &mut |event: &Event| trace.push(*event));
-    trace
+    support::trace(program, &support::set_up(setup))
 }
 
 fn holds(program: &str, setup: &str, expected: &str) {
-    let trace = trace(program, setup);
-    if let Err(divergence) = Expectation::parse(expected).matches(&trace) {
-        let found: Vec<String> = trace.iter().map(render).collect();
-        panic!("{divergence}\n{program}\n{}", found.join("\n"));
-    }
+    support::holds(program, expected, &support::set_up(setup));
 }
 
 /// Of the events with all these words of the compact notation, those that cite a rule, and all.
 fn citing(program: &str, setup: &str, words: &str, rule: &str) -> (usize, usize) {
     let all = trace(program, setup);
-    let is_meant = |event: &&Event| {
-        let text = render(event);
-        words.split(' ').all(|word| text.split(' ').any(|each| each == word))
-    };
-    let meant: Vec<&Event> = all.iter().filter(is_meant).collect();
-    let cites = |event: &&&Event| event.rules.as_slice().iter().any(|each| each.as_str() == rule);
-    (meant.iter().filter(cites).count(), meant.len())
+    let meant: Vec<&Event> = all.iter().filter(|event| has_words(&render(event), words)).collect();
+    (meant.iter().filter(|event| cites(event, rule)).count(), meant.len())
 }
 
 /// AX4-06: the common words of two blocks are carried out once, and these events cite it (execution-turrets.md: `spindle` of

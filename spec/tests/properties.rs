@@ -3,14 +3,11 @@
 
 #![allow(clippy::panic)]
 
-use proptest::prelude::*;
-use turnspec_oracle::vocabulary::{Action, Event, Length, Motion, Position, Setup};
+mod support;
 
-fn trace(program: &str, setup: &Setup) -> Vec<Event> {
-    let mut trace = Vec::new();
-    turnspec_oracle::run(program.as_bytes(), setup, &mut |event: &Event| trace.push(*event));
-    trace
-}
+use proptest::prelude::*;
+use support::trace;
+use turnspec_oracle::vocabulary::{Action, Event, Length, Motion, Position, Setup};
 
 fn motion(event: &Event) -> Option<Motion> {
     match event.action {

@@ -1,30 +1,17 @@
 //! How a program runs, at its edges: what look-ahead knows, where a definition of LAP begins and ends, what is tested while
 //! it is read, which rules a call cites. All values follow by hand from the rule texts.
 
-#![allow(clippy::panic)]
+mod support;
 
+use support::{holds, trace};
 use turnspec_oracle::Run;
-use turnspec_oracle::vocabulary::notation::{Expectation, render};
+use turnspec_oracle::vocabulary::notation::render;
 use turnspec_oracle::vocabulary::{Event, Length, Limit, MachineType, PlanePosition, ProgramText, Setup};
 
 /// A set-up with one text in its library.
 fn library(file: &str, text: &str) -> Setup {
     let text = ProgramText(text.as_bytes().to_vec());
     Setup { library: [(file.to_owned(), text)].into(), ..Setup::default() }
-}
-
-fn trace(program: &str, setup: &Setup) -> Vec<Event> {
-    let mut trace = Vec::new();
-    turnspec_oracle::run(program.as_bytes(), setup, &mut |event: &Event| trace.push(*event));
-    trace
-}
-
-fn holds(program: &str, expected: &str, setup: &Setup) {
-    let trace = trace(program, setup);
-    if let Err(divergence) = Expectation::parse(expected).matches(&trace) {
-        let found: Vec<String> = trace.iter().map(render).collect();
-        panic!("{divergence}\n{program}\n{}", found.join("\n"));
-    }
 }
 
 /// The rules of the first event of a kind.

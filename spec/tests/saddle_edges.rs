@@ -1,10 +1,10 @@
 //! Two saddles at their edges: a text without selection, a program without end, and the spindle as the other side has left
 //! it. All values follow by hand from two-saddles.md.
 
-#![allow(clippy::panic)]
+mod support;
 
 use turnspec_oracle::Run;
-use turnspec_oracle::vocabulary::notation::{Expectation, render};
+use turnspec_oracle::vocabulary::notation::render;
 use turnspec_oracle::vocabulary::{Ending, Event, MachineType, Setup};
 
 fn setup() -> Setup {
@@ -14,17 +14,11 @@ fn setup() -> Setup {
 }
 
 fn trace(program: &str) -> Vec<Event> {
-    let mut trace = Vec::new();
-    turnspec_oracle::run(program.as_bytes(), &setup(), &mut |event: &Event| trace.push(*event));
-    trace
+    support::trace(program, &setup())
 }
 
 fn holds(program: &str, expected: &str) {
-    let trace = trace(program);
-    if let Err(divergence) = Expectation::parse(expected).matches(&trace) {
-        let found: Vec<String> = trace.iter().map(render).collect();
-        panic!("{divergence}\n{program}\n{}", found.join("\n"));
-    }
+    support::holds(program, expected, &setup());
 }
 
 /// E100L-PROG-02, E100L-AX4-02: without a selection there are no sides, and behind the last block there is nothing to be

@@ -2,7 +2,7 @@
 
 mod support;
 
-use support::{kind, trace, value};
+use support::{kind, texts, value};
 use turnspec_oracle::vocabulary::{Length, MachineType, Setup};
 
 /// TRQ-04: from Z100 to Z50 with D5 and L10 the axis feeds to 55 and on to its stop: 49.5 is that of B, 48 that of A. Each
@@ -16,7 +16,7 @@ fn each_saddle_has_its_own_torque_stops() {
     setup.turret_b.torque_stops = vec![Length(49_500_000), Length(46_000_000)];
     let skip = "G94 G22 Z50 D5 L10 F1000 PZ=25\nG00 Z100\nG22 Z50 D5 L10 PZ=25\n";
     let ends = |program: &str| -> Vec<String> {
-        let events = trace(program, &setup);
+        let events = texts(program, &setup);
         let lines = events.iter().filter(|event| kind(event) == "linear");
         lines.map(|event| format!("{} {}", value(event, "saddle"), value(event, "z"))).collect()
     };

@@ -1,14 +1,11 @@
 //! The user task at its edges: the rules that an assignment cites, and what system variables read as. All values follow by
 //! hand from local-variables.md and expressions.md.
 
-use turnspec_oracle::vocabulary::notation::render;
-use turnspec_oracle::vocabulary::{Angle, Event, Setup, UnitSystem};
+mod support;
 
-fn trace(program: &str, setup: &Setup) -> Vec<Event> {
-    let mut trace = Vec::new();
-    turnspec_oracle::run(program.as_bytes(), setup, &mut |event: &Event| trace.push(*event));
-    trace
-}
+use support::trace;
+use turnspec_oracle::vocabulary::notation::render;
+use turnspec_oracle::vocabulary::{Angle, Setup, UnitSystem};
 
 fn in_system(unit_system: UnitSystem) -> Setup {
     Setup { unit_system, ..Setup::default() }
@@ -19,9 +16,7 @@ fn in_system(unit_system: UnitSystem) -> Setup {
 #[test]
 fn a_local_variable_of_the_main_program_is_none_of_a_subprogram() {
     let events = trace("EF=1\nEF=2\nM02\n", &Setup::default());
-    let cites = |index: usize, rule: &str| {
-        events.get(index).is_some_and(|event| event.rules.as_slice().iter().any(|each| each.as_str() == rule))
-    };
+    let cites = |index: usize, rule: &str| events.get(index).is_some_and(|event| support::cites(event, rule));
     assert!(cites(0, "E100L-LVAR-04") && cites(1, "E100L-LVAR-06"), "{events:?}");
     for index in 0..2 {
         assert!(!cites(index, "E100L-LVAR-10") && !cites(index, "E100L-LVAR-11"), "{events:?}");

@@ -1,24 +1,10 @@
 //! Threads at their edges: chamfers inside and on a taper, angles, what is refused beside compensation, what the events of
 //! a thread with one start cite. All values follow by hand from the texts of the threads.
 
-#![allow(clippy::panic)]
+mod support;
 
-use turnspec_oracle::vocabulary::notation::{Expectation, render};
+use support::{holds, trace};
 use turnspec_oracle::vocabulary::{Chamfering, Event, Length, NoseRadius, Setup};
-
-fn trace(program: &str, setup: &Setup) -> Vec<Event> {
-    let mut trace = Vec::new();
-    turnspec_oracle::run(program.as_bytes(), setup, &mut |event: &Event| trace.push(*event));
-    trace
-}
-
-fn holds(program: &str, expected: &str, setup: &Setup) {
-    let trace = trace(program, setup);
-    if let Err(divergence) = Expectation::parse(expected).matches(&trace) {
-        let found: Vec<String> = trace.iter().map(render).collect();
-        panic!("{divergence}\n{program}\n{}", found.join("\n"));
-    }
-}
 
 /// E100L-TCHM-03, E100L-TCHM-04: inside, away from the work is toward X20. 3000·1.5/(1000·1.5) = 3 of radius from Ø29 to
 /// Ø23; at 500 rpm 6, of which 4.5 are left to Ø20, which it has at 4.5/6 of the length: Z51.5 − 1.125.

@@ -1,24 +1,17 @@
 //! Threads at the ends of what they may be: the last lead, the last depth, limits, areas and the range of coordinates. All
 //! values follow by hand from the texts of the threads.
 
-#![allow(clippy::panic)]
+mod support;
 
-use turnspec_oracle::vocabulary::notation::{Expectation, render};
-use turnspec_oracle::vocabulary::{Event, Setup};
+use turnspec_oracle::vocabulary::Event;
+use turnspec_oracle::vocabulary::notation::render;
 
 fn trace(program: &str, setup: &str) -> Vec<Event> {
-    let setup = Setup::from_toml(setup).unwrap_or_else(|fault| panic!("{setup}\n{fault}"));
-    let mut trace = Vec::new();
-    turnspec_oracle::run(program.as_bytes(), &setup, &mut |event: &Event| trace.push(*event));
-    trace
+    support::trace(program, &support::set_up(setup))
 }
 
 fn holds(program: &str, setup: &str, expected: &str) {
-    let trace = trace(program, setup);
-    if let Err(divergence) = Expectation::parse(expected).matches(&trace) {
-        let found: Vec<String> = trace.iter().map(render).collect();
-        panic!("{divergence}\n{program}\n{}", found.join("\n"));
-    }
+    support::holds(program, expected, &support::set_up(setup));
 }
 
 /// E100L-G33-09, E100L-G34-02: at the distance d the lead is √(F² ± 2·E·d), and both ends of the range are leads. 600² +

@@ -1,21 +1,16 @@
 //! Threads: what their events cite, laws of their passes, and what goes on between blocks. The examples of the rule texts
 //! hold besides.
 
-#![allow(clippy::panic)]
+mod support;
 
 use proptest::prelude::*;
+use support::trace;
 use turnspec_oracle::Run;
 use turnspec_oracle::vocabulary::notation::render;
 use turnspec_oracle::vocabulary::{
     Action, BalancedInfeed, Chamfering, Ending, Event, FeedLength, Length, Limit, MachineType, Part, Setup,
     Side, UnitSystem,
 };
-
-fn trace(program: &str, setup: &Setup) -> Vec<Event> {
-    let mut trace = Vec::new();
-    turnspec_oracle::run(program.as_bytes(), setup, &mut |event: &Event| trace.push(*event));
-    trace
-}
 
 /// Kind, part and rules of each event.
 fn cited(program: &str, setup: &Setup) -> Vec<String> {
@@ -49,9 +44,7 @@ fn last(program: &str, setup: &Setup) -> String {
 }
 
 fn ends_with(program: &str, setup: &Setup, wanted: &str) {
-    let found = last(program, setup);
-    let words: Vec<&str> = found.split(' ').collect();
-    assert!(wanted.split(' ').all(|word| words.contains(&word)), "{program}\n{found}\n{wanted}");
+    support::ends_with(program, wanted, setup);
 }
 
 /// All that the events of a single pass cite, and nothing else.

@@ -5,7 +5,7 @@ mod support;
 use turnspec_oracle::vocabulary::{AlarmName, Event, Length, MachineType, NoseRadius, Setup};
 use turnspec_oracle::{Run, check};
 
-use support::{kind, trace, value};
+use support::{kind, texts, value};
 
 fn setup() -> Setup {
     let mut setup = Setup::default();
@@ -15,14 +15,14 @@ fn setup() -> Setup {
 
 /// Kind, saddle and line of each event.
 fn outline(program: &str, setup: &Setup) -> Vec<String> {
-    let events = trace(program, setup);
+    let events = texts(program, setup);
     let of = |event: &String| format!("{} {} {}", kind(event), value(event, "saddle"), value(event, "line"));
     events.iter().map(of).collect()
 }
 
 /// Name, detail, saddle and line of the alarm.
 fn alarm(program: &str, setup: &Setup) -> String {
-    let events = trace(program, setup);
+    let events = texts(program, setup);
     let last = events.last().map_or("", String::as_str);
     ["name", "detail", "saddle", "line"].map(|key| value(last, key)).join(" ")
 }
@@ -104,7 +104,7 @@ fn a_clamp_is_no_speed() {
 #[test]
 fn the_spindle_is_common() {
     let program = "G13\nG50 S1000 P10\nG14\nG50 S1000 P10\nP20\nS2000 M03\nM02\n";
-    let events = trace(program, &setup());
+    let events = texts(program, &setup());
     let started = events.iter().find(|event| event.contains("state=cw")).map_or("", String::as_str);
     assert_eq!(["speed", "limit", "saddle"].map(|key| value(started, key)), ["1000", "clamp", "B"]);
 }
@@ -198,7 +198,7 @@ fn the_other_side_has_no_speed() {
     let mut program = "G13\nG00 X10\nG96 S100 P10\nG01 X20 F0.2\nG14\n".to_owned();
     program += "G50 S1 P5\nG96 S100 P10\nG00 X30\nM02\n";
     let program = program.replace("G00 X10\n", "G00 X10\nG50 S1 P5\n");
-    let events = trace(&program, &setup());
+    let events = texts(&program, &setup());
     let rules = |line: &str| {
         let motion = events.iter().find(|event| {
             value(event, "line") == line && (event.starts_with("linear") || event.starts_with("rapid"))
