@@ -60,8 +60,6 @@ pub struct Workshop {
     subject: &'static Subject,
     /// Its root.
     pub root: PathBuf,
-    /// Where the compiler writes.
-    pub target: PathBuf,
 }
 
 impl Workshop {
@@ -91,7 +89,7 @@ impl Workshop {
             }
             write(&to, &bytes)?;
         }
-        Ok(Self { subject, root: root.to_owned(), target: root.join("target") })
+        Ok(Self { subject, root: root.to_owned() })
     }
 
     /// A cargo command in the copy.
@@ -102,7 +100,7 @@ impl Workshop {
             .args([subcommand, "--locked", "--profile", "mutants", "--message-format", "json"])
             .args(arguments);
         command.current_dir(&self.root).stdin(Stdio::null());
-        command.env("CARGO_TARGET_DIR", &self.target).env("CARGO_PROFILE_MUTANTS_OPT_LEVEL", "2");
+        command.env("CARGO_TARGET_DIR", self.root.join("target")).env("CARGO_PROFILE_MUTANTS_OPT_LEVEL", "2");
         command.env("CARGO_PROFILE_MUTANTS_INCREMENTAL", "false").env("RUSTFLAGS", "--cap-lints allow");
         command
     }

@@ -151,7 +151,7 @@ impl Rewriter<'_> {
 
     /// Another value at the beginning of a body.
     fn body(&mut self, signature: &syn::Signature, block: &syn::Block) {
-        let (Some(first), None) = (block.stmts.first(), signature.constness) else { return };
+        let Some(first) = block.stmts.first() else { return };
         let opaque = matches!(&signature.output, syn::ReturnType::Type(_, of) if matches!(**of, syn::Type::ImplTrait(_)));
         if opaque {
             return;

@@ -162,11 +162,24 @@ pub(super) struct Before {
 impl Interpreter<'_> {
     /// Checks a block, and tells what it will do.
     pub(super) fn check(&self, parsed: &Parsed, words: &Words, before: Before) -> Result<Plan, Fault> {
-        let Before { motion: motion_before, after_angle, left_over } = before;
-        let motion = words.code_of(GGroup::Motion).unwrap_or(motion_before);
-        if self.is_plain(words, motion, left_over) {
-            return plain_plan(words, motion);
+        let motion = words.code_of(GGroup::Motion).unwrap_or(before.motion);
+        if self.is_plain(words, motion, before.left_over) {
+            let plan = plain_plan(words, motion);
+            debug_assert_eq!(plan, self.check_whole(parsed, words, motion, before));
+            return plan;
         }
+        self.check_whole(parsed, words, motion, before)
+    }
+
+    /// The same by all checks.
+    fn check_whole(
+        &self,
+        parsed: &Parsed,
+        words: &Words,
+        motion: u16,
+        before: Before,
+    ) -> Result<Plan, Fault> {
+        let Before { after_angle, left_over, .. } = before;
         let threads = thread::is_mode(motion);
         let contours = contour::is_mode(motion);
         let one_shot = OneShot::of(words);
