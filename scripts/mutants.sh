@@ -26,6 +26,11 @@ esac
 outcomes=()
 lists=()
 declare -A first=([turnspec-oracle]=book [turnspec]=rules)
+declare -A thorough=(
+    [turnspec-oracle]='--lib --tests'
+    [turnspec]='--lib --test rules --test differential --test tables'
+)
+declare -A also=([turnspec-oracle]='' [turnspec]='--test-package turnspec,turnspec-proofs')
 declare -A sources=([turnspec-oracle]='spec/src/**/*.rs' [turnspec]='src/engine/arithmetic/*.rs')
 
 # Tries the mutants that a file names, by cargo-mutants: by file too, since version 27 does not look at the names of mutants
@@ -55,7 +60,8 @@ for package in turnspec-oracle turnspec; do
     outcomes+=("$of/built.json")
     # What is left: the tests that catch most, and what they let live with all of them.
     round "$of/examples" "$of/left.txt" -p "$package" "--cargo-arg=--test" "--cargo-arg=${first[$package]}"
-    round "$of/all" "$of/examples/mutants.out/missed.txt" -p "$package" -- --lib --tests
+    # shellcheck disable=SC2086
+    round "$of/all" "$of/examples/mutants.out/missed.txt" -p "$package" ${also[$package]} -- ${thorough[$package]}
 done
 
 mkdir -p evidence

@@ -44,7 +44,7 @@ theorems! {
     #[unwind(2)]
     fn a_change_point_acts_from_its_level_on() {
         let (level, place, sense) = (within(FAR), within(FAR), sense());
-        let reached = is_reached(level, place, sense, 0);
+        let reached = is_reached(level, place, sense);
         kani::cover!(level == place, "a level at the change point");
         assert!(reached == if sense > 0 { level <= place } else { level >= place });
         assert!(reached == has_reached(level, place, sense));
@@ -58,9 +58,9 @@ theorems! {
     fn a_change_point_stays_reached() {
         let (level, place, sense) = (within(FAR), within(FAR), sense());
         let next = next_level(level, sense, between(0, WORD));
-        let before = is_reached(level, place, sense, 0);
-        kani::cover!(!before && is_reached(next, place, sense, 0), "a point between two levels");
-        assert!(!before || is_reached(next, place, sense, 0));
+        let before = is_reached(level, place, sense);
+        kani::cover!(!before && is_reached(next, place, sense), "a point between two levels");
+        assert!(!before || is_reached(next, place, sense));
     }
 
     /// Heights are ordered as coordinates are in the sense in which heights grow, whether they are diameters or not.
@@ -169,7 +169,7 @@ refutations! {
     fn change_points_act_behind_them() {
         let (level, place) = (within(FAR), within(FAR));
         kani::assume(level - place < 3 && place - level < 3);
-        assert!(is_reached(level, place, 1, 0) == (level < place));
+        assert!(is_reached(level, place, 1) == (level < place));
     }
 
     /// False: the line from the AP start never leads beyond the start of the contour.

@@ -284,7 +284,7 @@ fn blocks_are_refused_in_their_order() {
             ("G40\nM02\n", "name=unspecified detail=cancel rules=E100L-CRC-14"),
             ("G40 Z5\nM02\n", "name=unspecified detail=cancel rules=E100L-CRC-14"),
             ("G40 G04 F1\nM02\n", "name=unspecified detail=cancel rules=E100L-CRC-14"),
-            ("G40 G103 C9 L60\nM02\n", "name=compensation_not_linear rules=E100L-NRC-72"),
+            ("G40 G103 C9 L60\nM02\n", "name=unspecified detail=cancel rules=E100L-CRC-14"),
             ("G40 G00 C9 I1\nM02\n", "name=word_without_function detail=I rules=E100L-ADDR-01"),
             ("G18 C9\nM02\n", "name=plane_change_in_compensation rules=E100L-CRC-13"),
             ("G18\nM02\n", "name=plane_change_in_compensation rules=E100L-CRC-13"),
@@ -319,7 +319,7 @@ fn blocks_are_refused_in_their_order() {
             ("G41 G22 Z5 D1 L1 PZ=9\nM02\n", "name=unspecified detail=G22 rules=E100L-NRC-81"),
             ("G41 G50 X9\nM02\n", "name=unspecified detail=start_up"),
             ("G41 G102 L9\nM02\n", "name=unspecified detail=start_up"),
-            ("G41 G102 C9 L9\nM02\n", "name=compensation_not_linear rules=E100L-NRC-19"),
+            ("G41 G102 C9 L9\nM02\n", "name=unspecified detail=start_up rules=E100L-CRC-14"),
             ("G41 X9 I9\nM02\n", "name=word_without_function detail=I"),
             ("G18 G41 Z9\nG01 Z40\nG40\nG17\nG41 G00 X80\nM02\n", "name=unspecified detail=start_up line=8"),
             (

@@ -112,15 +112,18 @@ fn the_turret_knows_the_last_motion_of_a_cycle() {
     holds(&program("G181"), unconfirmed, "...\nrapid part=return\n...\naux code=M203\n...\nend code=M02");
 }
 
-/// Section 9: with G137 in force, a groove, tapping or cycle block is `unspecified` (CSC-09), detail the code.
+/// Section 3, check 1a: with G137 in force a groove, tapping or thread cycle block and G190 are `unspecified` (CSC-09),
+/// detail the code, and a hole along X, detail `I`.
 #[test]
-fn no_cycle_runs_in_coordinate_conversion() {
+fn other_cycles_than_holes_along_z_have_no_place_in_coordinate_conversion() {
     for (block, code) in [
         ("G73 X50 D4", "G73"),
         ("G74 Z-5 D4", "G74"),
         ("G77 X0 Z-15 K5", "G77"),
         ("G78 X0 Z-15 K5", "G78"),
-        ("G181 X50 Z-5 K1", "G181"),
+        ("G181 X50 Z-5 I1", "I"),
+        ("G183 Z-5 D1 I1 K1", "I"),
+        ("G190 X50 Z-5 K1 D1", "G190"),
         ("G95 G185 X50 Z-5 SA=1", "G185"),
     ] {
         let program = format!("M110\nG94 G137 C0\nG00 X30 Y0 F100 S200 SB=400\n{block}\nM02\n");

@@ -72,16 +72,19 @@ fn what_begins_no_definition() {
     holds(program, expected, &Setup::default());
 }
 
-/// E100L-LAP-04: a code that is not listed is `contour_malformed`, with the code; G13 and G14 are not.
+/// E100L-MIRR-09: a change of the turret is forbidden in LAP; the code of the selected one is not listed (E100L-LAP-04).
 #[test]
 fn a_definition_selects_no_turret() {
     let mut setup = Setup::default();
     setup.machine.r#type = MachineType::TwoTurrets;
-    for code in ["G13", "G14"] {
+    for (code, alarm) in [
+        ("G13", "contour_malformed detail=G13 line=3 rules=E100L-LAP-04"),
+        ("G14", "turret_change line=3 rules=E100L-MIRR-09"),
+        ("G14 G13", "g_codes_conflict line=3 rules=E100L-GCODE-04"),
+    ] {
         let program =
             format!("NAT1 G81\nG00 X20 Z2\n{code}\nG01 Z-10\nG80\nG00 X36 Z4\nG85 NAT1 D8 F0.3\nM02\n");
-        let expected = format!("...\nalarm name=contour_malformed detail={code} line=3 rules=E100L-LAP-04");
-        holds(&program, &expected, &setup);
+        holds(&program, &format!("...\nalarm name={alarm}"), &setup);
     }
 }
 

@@ -33,7 +33,7 @@ pub struct Gathered {
     pub properties: Vec<Statement>,
     /// The theorems.
     pub proofs: Vec<Statement>,
-    /// The mutants of the oracle, if they were ever counted.
+    /// The mutants of the oracle and of the engine's arithmetic, if they were ever counted.
     pub mutants: Option<Judged>,
     /// The coverage, if it was ever measured.
     pub coverage: Option<Coverage>,

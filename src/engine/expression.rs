@@ -340,7 +340,6 @@ impl Parser<'_> {
             return Fault::raise(AlarmName::Format, AEXP_01);
         }
         let local = LocalName::of(name)?;
-        self.refuse_on_two_saddles(local.label())?;
         self.at += length;
         self.operation(Operation::Local(local));
         Ok(())

@@ -230,7 +230,6 @@ impl Parser<'_> {
             return Ok(());
         }
         let name = local_item(name)?;
-        self.refuse_on_two_saddles(name.label())?;
         self.at += length;
         self.skip_blanks()?;
         if self.peek() != Some(b'=') {

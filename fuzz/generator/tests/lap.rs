@@ -69,7 +69,6 @@ const ALARMS: &[(AlarmName, RuleId)] = &[
     (AlarmName::Unspecified, LAP_15),
     (AlarmName::Unspecified, LAP_20),
     (AlarmName::WordMissing, LAPC_01),
-    (AlarmName::WordMissing, LAPC_02),
     (AlarmName::WordMissing, LAPC_05),
     (AlarmName::WordMissing, LAPC_07),
     (AlarmName::WordWithoutFunction, LAPC_02),

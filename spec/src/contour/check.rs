@@ -19,6 +19,8 @@ pub struct Asked<'w> {
     pub modes: Modes,
     /// Whether it begins or ends radius compensation.
     pub changes: bool,
+    /// Whether it is one of a cycle, which moves in whatever motion mode.
+    pub has_cycle: bool,
 }
 
 fn unspecified(rule: RuleId, code: u16) -> Fault {
@@ -31,7 +33,7 @@ fn motion_codes(words: &Words) -> impl Iterator<Item = u16> {
 
 /// Check 2a. `converts`: the block is one in conversion mode; `moves`: it is one that moves in the motion mode.
 pub fn check_conversion(asked: &Asked, converts: bool, moves: bool, state: &State) -> Outcome<()> {
-    let Asked { words, one_shot, modes, changes } = *asked;
+    let Asked { words, one_shot, modes, changes, .. } = *asked;
     if converts && words.has_g(91) && !state.contour.has_point() {
         return fail(AlarmName::ConversionIncremental, CSC_08);
     }
@@ -41,11 +43,12 @@ pub fn check_conversion(asked: &Asked, converts: bool, moves: bool, state: &Stat
     if motion == Modes::NO_CODE && (moves || changes) && one_shot != Some(137) {
         return fail(AlarmName::MotionCodeMissing, CSC_05);
     }
-    if converts { used_in_conversion(words, one_shot, motion, state) } else { Ok(()) }
+    if converts { used_in_conversion(asked, motion, state) } else { Ok(()) }
 }
 
 /// E100L-CSC-09: what does not go in conversion mode; E100L-CSC-06: its first point.
-fn used_in_conversion(words: &Words, one_shot: Option<u16>, motion: u16, state: &State) -> Outcome<()> {
+fn used_in_conversion(asked: &Asked, motion: u16, state: &State) -> Outcome<()> {
+    let Asked { words, one_shot, has_cycle, .. } = *asked;
     let goes = |code: u16| match g_code(code) {
         GCode::Modelled(GGroup::Motion) => matches!(code, 0 | 1 | 101..=103),
         _ => !matches!(code, 71 | 72 | 75 | 76),
@@ -59,7 +62,7 @@ fn used_in_conversion(words: &Words, one_shot: Option<u16>, motion: u16, state: 
     if one_shot.is_some() || !words.has_any("XY") {
         return Ok(());
     }
-    if motion == 1 {
+    if motion == 1 && !has_cycle {
         return Err(unspecified(CSC_09, 1));
     }
     let both = words.get('X').is_some() && words.get('Y').is_some();

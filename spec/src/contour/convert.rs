@@ -48,7 +48,6 @@ fn is_at(limit: &TravelLimit, place: i64) -> bool {
 fn end(state: &mut State, emissions: &mut Vec<Emission>) {
     if state.modes.converting() {
         state.modes.set(GGroup::Conversion, 136);
-        state.contour.end_conversion();
         let rules = RuleSet::of(&[GCODE_02, CSC_01, CSC_09]);
         emissions.push(Emission::new(mode(GGroup::Conversion, 136, 137), rules));
     }

@@ -11,7 +11,8 @@ const LONGEST_WAY: u128 = 5_965 * FULL_TURN.unsigned_abs() as u128;
 /// What goes on in the next block.
 #[derive(Clone, Default, Debug)]
 pub struct Kept {
-    /// θ, the direction of +X in conversion mode, in micro-degrees of a full turn (E100L-CSC-01).
+    /// θ, the direction of +X in conversion mode, in micro-degrees of a full turn (E100L-CSC-01). Nothing asks for it out
+    /// of that mode, nor for the point.
     pub direction: i64,
     /// The point that the last block with X or Y in conversion mode has programmed.
     point: Option<KeptPoint>,
@@ -35,11 +36,6 @@ impl Kept {
     pub fn begin_conversion(&mut self, direction: i64) {
         self.direction = direction;
         self.point = None;
-    }
-
-    /// It ends.
-    pub fn end_conversion(&mut self) {
-        self.begin_conversion(0);
     }
 
     /// Whether a block has given a point since it began (E100L-CSC-06, E100L-CSC-08).

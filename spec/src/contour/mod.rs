@@ -24,9 +24,12 @@ pub use face::{FaceStep, cited as face_cited, is_positive};
 pub use face_arc::{FaceArc, travel as arc_travel};
 pub use kept::Kept;
 pub use line::steps as line_steps;
-pub use motion::{Course, Step, carry_out as carry_out_step, of_turn};
+pub use motion::{Course, Step, carry_out as carry_out_step, face_point, of_turn};
 pub use plane::PlanePoint;
-pub use position::{Direction, axes as axes_of_point, element as positioning, go_to, target as point_of};
+pub use position::{
+    Direction, axes as axes_of_point, cited as converted, element as positioning, go_to, place,
+    target as point_of,
+};
 pub use side::{Cylinder, cited as side_cited, sense as side_sense, target as side_target};
 pub use way::{End, Way, Whose};
 
@@ -51,7 +54,8 @@ fn is_on_side(motion: u16) -> bool {
 
 /// Whether the motions of a block are those of this chapter: contours, and positionings by X and Y in conversion mode.
 pub fn has_own_motions(plan: &Plan) -> bool {
-    plan.is_contour() || plan.moves && plan.one_shot.is_none() && plan.converts && plan.words.has_any("XY")
+    let positions = plan.moves && plan.one_shot.is_none() && plan.cycle.is_none();
+    plan.is_contour() || positions && plan.converts && plan.words.has_any("XY")
 }
 
 /// The motions of such a block.

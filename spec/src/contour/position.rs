@@ -75,12 +75,17 @@ pub fn cited(plan: &Plan, state: &State) -> RuleSet {
     rules.fold(RuleSet::of(&[CSC_02, CSC_03]), RuleSet::with)
 }
 
-/// The motion to the point of a block in G00, and the point. Its C alarms come behind the range.
-pub fn element(plan: &Plan, state: &State) -> Outcome<(Element, PlanePoint)> {
+/// Where a block with X or Y leads: the point, and its program X and C.
+pub fn place(plan: &Plan, state: &State) -> Outcome<(PlanePoint, (i64, i64))> {
     let Some(point) = target(plan, state.contour.point(&state.frame)) else {
         return Err(Fault::about(AlarmName::Unspecified, CSC_06, "start"));
     };
-    let (x, c) = axes(point, state);
+    Ok((point, axes(point, state)))
+}
+
+/// The motion to the point of a block in G00, and the point. Its C alarms come behind the range.
+pub fn element(plan: &Plan, state: &State) -> Outcome<(Element, PlanePoint)> {
+    let (point, (x, c)) = place(plan, state)?;
     let present = state.frame.program();
     let word = |letter, present: i64| {
         plan.words.get(letter).map(|word| if plan.modes.incremental() { present + word } else { word })

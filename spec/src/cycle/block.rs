@@ -47,7 +47,8 @@ impl CycleBlock {
     pub fn machines(self, words: &Words) -> bool {
         match self.role {
             Role::First => true,
-            Role::FollowUp => words.has_any("XZCRQ"),
+            // E100L-CSC-09: Y is a word of coordinate conversion alone.
+            Role::FollowUp => words.has_any("XYZCRQ"),
             Role::Cancel => false,
         }
     }
@@ -82,6 +83,6 @@ pub fn is_tapping(one_shot: Option<u16>) -> bool {
 /// inches.
 pub fn synchronised_words(words: Words, block: Option<CycleBlock>, setup: &Setup) -> Words {
     let synchronised = block.is_some_and(|block| is_synchronised(block.code, setup));
-    let inch = words.inch && (!synchronised || words.has_any("XZRIK"));
+    let inch = words.inch && (!synchronised || words.has_any("XYZRIK"));
     Words { inch, ..words }
 }

@@ -2,7 +2,9 @@
 
 use super::block::{CycleBlock, Role, is_synchronised};
 use super::motion::Axis;
+use crate::contour;
 use crate::modal::Plan;
+use crate::state::State;
 use crate::thread::Cited;
 use crate::vocabulary::rule_ids::*;
 use crate::vocabulary::{Part, RuleId, RuleSet, Setup};
@@ -55,6 +57,8 @@ pub struct Cites {
     all: Cited,
     /// The cut of a hole.
     cut: Cited,
+    /// The way to a point of the face in conversion mode (E100L-CSC-09).
+    converted: Cited,
     /// Motions with a pass.
     passes: Cited,
     /// The way out of a hole and back (E100L-G183-02).
@@ -69,8 +73,8 @@ pub struct Cites {
 
 impl Cites {
     /// Those of a block of a hole cycle; `depth`: the bottom is given by R.
-    pub fn of_holes(block: CycleBlock, axis: Axis, depth: bool, plan: &Plan, setup: &Setup) -> Self {
-        let CycleBlock { code, .. } = block;
+    pub fn of_holes(block: CycleBlock, axis: Axis, depth: bool, plan: &Plan, state: &State) -> Self {
+        let (CycleBlock { code, .. }, setup) = (block, state.setup);
         let has = |code| plan.words.m.contains(&code);
         let (side, readings) = (axis == Axis::X, &setup.readings);
         let own_axis = Cited::rules(&[if side { MCYC_08 } else { MCYC_07 }]);
@@ -82,6 +86,7 @@ impl Cites {
                 .and_if(is_unclamped(plan), Cited::rules(&[MCYC_18]))
                 // E100L-MCYC-19: it changes no path.
                 .and_if(code == 184 && !is_synchronised(code, setup) && has(140), Cited::rules(&[MCYC_19])),
+            converted: Cited { rules: contour::converted(plan, state).with(CSC_09), ..Cited::default() },
             passes: Cited::default().and_if(side, on_x),
             discharge: Cited::rules(&[G183_02]).reading(readings.chip_discharge),
             tap: Cited::rules(&[STAP_01]).and_if(side, Cited::default().reading(readings.feed_length)),
@@ -117,6 +122,11 @@ impl Cites {
             _ => Cited::default(),
         };
         self.all.and(own)
+    }
+
+    /// The way to a point of the face in conversion mode.
+    pub fn converted(&self) -> Cited {
+        self.motion(Part::Position, false).and(self.converted)
     }
 
     /// The return after a way out at a feed (E100L-MCYC-16).

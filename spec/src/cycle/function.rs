@@ -9,6 +9,7 @@ pub fn words_taken(
     words: &Words,
     one_shot: Option<u16>,
     block: Option<CycleBlock>,
+    converts: bool,
     state: &State,
 ) -> Option<(&'static [u8], &'static [&'static str])> {
     match one_shot {
@@ -18,6 +19,10 @@ pub fn words_taken(
     }
     let block = block.filter(|block| block.role != Role::Cancel)?;
     let letters: &[u8] = match block.code {
+        // E100L-CSC-09.
+        code if converts && is_synchronised(code, state.setup) => b"XYZRKDJQ",
+        183 if converts => b"XYZRKDLEQ",
+        _ if converts => b"XYZRKEQ",
         code if is_synchronised(code, state.setup) => b"XZCRIKDJQ",
         183 => b"XZCRIKDLEQ",
         185..=188 => b"XZCIK",

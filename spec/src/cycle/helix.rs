@@ -84,7 +84,7 @@ fn in_plane(axis: Axis, to: (i64, i64), c: Option<Turn>, manner: Manner, part: P
         Axis::X => (to.0, to.1),
         Axis::Z => (to.1, to.0),
     };
-    Act::Go(Go { x: Some(x), z: Some(z), c, manner, part, pass: None, cited })
+    Act::Go(Go { x: Some(x), z: Some(z), c, point: None, manner, part, pass: None, cited })
 }
 
 fn depth(rule: RuleId) -> Fault {

@@ -1,5 +1,5 @@
 //! The holes of a block: place, approach, clamp, what the cycle does at the bottom, return (E100L-MCYC-07, E100L-MCYC-08,
-//! E100L-MCYC-15 to -20, E100L-G181-01 to E100L-G184-02, E100L-G189-01).
+//! E100L-MCYC-15 to -20, E100L-G181-01 to E100L-G184-02, E100L-G189-01); in conversion mode the place is a point of the face (E100L-CSC-09).
 
 use super::act::Act;
 use super::block::{CycleBlock, Role, is_synchronised};
@@ -10,6 +10,7 @@ use super::levels::Levels;
 use super::motion::{Axis, Go, Manner, Turn};
 use super::peck::{Amounts, Peck, retract};
 use super::synchronised::Tap;
+use crate::contour::{self, PlanePoint};
 use crate::fault::Outcome;
 use crate::modal::Plan;
 use crate::quantity::{round_narrow, whole};
@@ -28,6 +29,8 @@ pub struct Holes {
     /// The C word, and where C stands at the start of the block.
     angle: Option<i64>,
     present_angle: i64,
+    /// The point of the face that became place and angle in conversion mode (E100L-CSC-09).
+    point: Option<PlanePoint>,
     /// Whether C turns in the positive direction (E100L-CAX-05).
     positive: bool,
     clamps: bool,
@@ -66,15 +69,22 @@ impl Holes {
     /// The holes of a block, before the first motion; its words are kept.
     pub fn begin(block: CycleBlock, mode: &mut Mode, plan: &Plan, state: &State) -> Outcome<Self> {
         let CycleBlock { code, .. } = block;
+        let converted =
+            (plan.converts && plan.words.has_any("XY")).then(|| contour::place(plan, state)).transpose()?;
         let levels = Levels::of(block, mode, state)?;
         let kept = &mode.words;
-        let cites = Cites::of_holes(block, levels.axis, kept.r.is_some(), plan, state.setup);
+        let cites = Cites::of_holes(block, levels.axis, kept.r.is_some(), plan, state);
         let work = match code {
             183 => Work::Pecks(pecks(kept, &levels, state.setup)),
             190 => Work::Ways(Box::new(KeyWay::begin(kept, &levels, cites, state)?)),
             _ => Work::Once,
         };
         let synchronised = is_synchronised(code, state.setup);
+        let written = plan.words.get(levels.axis.other().letter()).filter(|_| code != 190);
+        let (place, angle) = match converted {
+            Some((_, (x, c))) => (Some(x), Some(c)),
+            None => (written, plan.words.get('C')),
+        };
         // E100L-MCYC-15.
         let by_parameter = state.setup.parameters.cycle_return == CycleReturn::CycleStart;
         let to_start = by_parameter || plan.words.m.contains(&136);
@@ -82,8 +92,9 @@ impl Holes {
             block,
             levels,
             back: if to_start { levels.start_level() } else { levels.cut },
-            place: plan.words.get(levels.axis.other().letter()).filter(|_| code != 190),
-            angle: plan.words.get('C'),
+            place,
+            angle,
+            point: converted.map(|(point, _)| point),
             present_angle: state.frame.program().c,
             positive: state.is_active(15),
             clamps: !is_unclamped(plan),
@@ -151,9 +162,11 @@ impl Holes {
             Axis::X => (None, place),
             Axis::Z => (place, None),
         };
-        let cited = self.cites.motion(Part::Position, again);
+        let point = self.point.filter(|_| !again);
+        let cited =
+            if point.is_some() { self.cites.converted() } else { self.cites.motion(Part::Position, again) };
         let c = angle.map(Turn::To);
-        Go { x, z, c, manner: Manner::Rapid, part: Part::Position, pass: None, cited }
+        Go { x, z, c, point, manner: Manner::Rapid, part: Part::Position, pass: None, cited }
     }
 
     /// What the cycle does at the bottom but for its passes, and the return.

@@ -60,7 +60,7 @@ pub struct KeptWords {
 impl Kept {
     /// A block begins that has passed its checks.
     pub fn begin_block(&mut self, plan: &Plan) {
-        if !plan.words.is_empty() {
+        if !plan.words.is_empty() && !plan.words.has_g(136) {
             self.after_cancel = plan.cycle.is_some_and(|block| block.role == Role::Cancel);
         }
     }

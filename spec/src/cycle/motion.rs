@@ -1,6 +1,7 @@
 //! One motion of a cycle: its tests and its event. Nothing is cut back by a limit (E100L-GRV-10).
 
 use crate::barrier;
+use crate::contour::{self, PlanePoint};
 use crate::emission::Emission;
 use crate::fault::Outcome;
 use crate::frame::Amounts;
@@ -68,6 +69,8 @@ pub struct Go {
     pub z: Option<i64>,
     /// C.
     pub c: Option<Turn>,
+    /// The point of the face that X and C are in conversion mode (E100L-CSC-09).
+    pub point: Option<PlanePoint>,
     /// How.
     pub manner: Manner,
     /// What it does in the cycle.
@@ -123,7 +126,7 @@ impl Go {
             Axis::X => (Some(to), None),
             Axis::Z => (None, Some(to)),
         };
-        Self { x, z, c: None, manner, part, pass: None, cited }
+        Self { x, z, c: None, point: None, manner, part, pass: None, cited }
     }
 
     /// In a pass.
@@ -152,6 +155,9 @@ pub fn carry_out(go: &Go, plan: &Plan, state: &mut State) -> Outcome<Option<Emis
         c: turned.map_or(from.c, |(target, _)| target),
         ..from
     };
+    if let Some(point) = go.point {
+        state.contour.keep(point, target.x, target.c, &state.frame);
+    }
     let axes = Axes { x: target.x != from.x, z: target.z != from.z, ..Axes::default() };
     let c_travel = turned.map(|(_, travel)| travel);
     if !axes.x && !axes.z && c_travel.unwrap_or(0) == 0 {
@@ -183,7 +189,8 @@ pub fn carry_out(go: &Go, plan: &Plan, state: &mut State) -> Outcome<Option<Emis
 }
 
 fn event(go: &Go, c_travel: Option<i64>, before: Amounts, state: &State) -> Outcome<Emission> {
-    let motion = Motion { pass: go.pass, part: Some(go.part), ..standing(c_travel, state) };
+    let face = go.point.map(contour::face_point);
+    let motion = Motion { pass: go.pass, part: Some(go.part), face, ..standing(c_travel, state) };
     Ok(match go.manner {
         Manner::Rapid => Emission::new(Action::Rapid { motion }, RuleSet::EMPTY),
         Manner::Feed => {

@@ -41,17 +41,27 @@ pub fn refuse(
     if state.cycle.spent {
         return fail(AlarmName::CycleCancelMissing, MCYC_21);
     }
-    if state.cycle.after_cancel && (words.get('X').is_none() || words.get('Z').is_none()) {
+    let both = words.get('X').is_some() && words.get('Z').is_some();
+    if state.cycle.after_cancel && !both && !words.has_g(136) {
         return fail(AlarmName::WordMissing, MCYC_13);
     }
     if let Some(block) = block {
         refuse_cycle_block(words, block, before, modes, state)?;
     }
+    if modes.converting() { goes_in_conversion(words, block) } else { Ok(()) }
+}
+
+/// E100L-CSC-09: of these blocks only holes along Z have a place in the plane of conversion mode.
+fn goes_in_conversion(words: &Words, block: Option<CycleBlock>) -> Outcome<()> {
     let fixed = words.one_shot().filter(|code| matches!(code, 73 | 74 | 77 | 78));
-    match block.map(|block| block.code).or(fixed) {
-        Some(code) if modes.converting() => Err(about(AlarmName::Unspecified, CSC_09, code)),
-        _ => Ok(()),
+    let cycle = block.map(|block| block.code);
+    if let Some(code) = cycle.filter(|code| is_thread(*code) || *code == 190).or(fixed) {
+        return Err(about(AlarmName::Unspecified, CSC_09, code));
     }
+    if cycle.is_some() && words.get('I').is_some() {
+        return Err(Fault::about(AlarmName::Unspecified, CSC_09, "I"));
+    }
+    Ok(())
 }
 
 fn refuse_cycle_block(

@@ -131,6 +131,7 @@ fn cancel(code: u16, state: &mut State) -> Vec<Act> {
         x: Some(start.x),
         z: Some(start.z),
         c: None,
+        point: None,
         manner: Manner::Rapid,
         part: Part::Return,
         pass: None,

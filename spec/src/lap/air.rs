@@ -20,8 +20,8 @@ pub fn sections(from: &Number, to: &Number, stock: &[(Number, Number)], clearanc
     let lengthened = |(begin, end): (Number, Number)| {
         (between(begin.plus(&-clearance.clone())), between(end.plus(clearance)))
     };
-    let within = stock.iter().filter(|(begin, end)| begin <= high && end >= low);
-    let clipped = within.map(|(begin, end)| (between(begin.clone()), between(end.clone())));
+    // Stock beyond the cut is clipped to one of its ends.
+    let clipped = stock.iter().map(|(begin, end)| (between(begin.clone()), between(end.clone())));
     let ends = [(low.clone(), low.clone()), (high.clone(), high.clone())];
     let mut stretches: Vec<_> = clipped.chain(ends).map(lengthened).collect();
     stretches.sort();

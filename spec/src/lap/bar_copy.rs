@@ -69,9 +69,10 @@ impl Ground {
     fn new(job: Job) -> Outcome<Self> {
         check_direction(&job)?;
         let plane = job.plane;
-        let allowance = if plane.transverse { 'U' } else { 'W' };
-        if job.words.get(allowance).unwrap_or(0) > job.clearance {
-            return Err(Fault::about(AlarmName::LapAllowance, AP5_02, &allowance.to_string()));
+        let start = job.blank.as_ref().map_or(job.rough.start, |blank| blank.start);
+        if plane.onward * (start.cutting - job.rough.start.cutting) > job.clearance {
+            let allowance = if plane.transverse { "U" } else { "W" };
+            return Err(Fault::about(AlarmName::LapAllowance, AP5_02, allowance));
         }
         let (blank, moved_up) = moved_up(&job)?;
         let track = shapes(&blank, plane);

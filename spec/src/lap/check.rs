@@ -118,12 +118,6 @@ fn feed(words: &Words, rule: RuleId) -> Outcome<()> {
 
 /// E100L-LAPC-02: the words behind G84.
 fn change_points(words: &Words) -> Outcome<()> {
-    let has = |name| words.extended(name).is_some();
-    let (a, b) = (has("XA") || has("ZA"), has("XB") || has("ZB"));
-    let without_point = (has("DA") || has("FA")) && !a || (has("DB") || has("FB")) && !b;
-    if without_point || !(a || b) {
-        return fail(AlarmName::WordMissing, LAPC_02);
-    }
     for word in &words.written {
         let Written::Word(address @ Address::Extended(name)) = *word else { continue };
         let is_zero_depth = ["DA", "DB"].contains(&name) && words.extended(name) == Some(0);

@@ -38,15 +38,18 @@ impl Outline {
         Self { start: plane.spot(start), elements }
     }
 
-    /// E100L-LAP-02: the blank of recorded motions in front of a contour, with the lines that are added.
-    pub fn of_blank(motions: &[Recorded], contour: &Self, plane: Plane) -> Self {
+    /// E100L-LAP-02: the blank of recorded motions in front of a contour, with the lines that are added: from where the
+    /// contour is programmed to start, to where it is programmed to end.
+    pub fn of_blank(motions: &[Recorded], contour: &[Recorded], plane: Plane) -> Self {
         let mut elements: Vec<Element> = motions.iter().map(|motion| element(motion, plane)).collect();
-        let end = elements.last().map_or(contour.start, |last| last.end);
-        let to = contour.end();
+        let programmed =
+            |motion: Option<&Recorded>| plane.spot(motion.map_or((0, 0), |motion| motion.programmed));
+        let (start, to) = (programmed(contour.first()), programmed(contour.last()));
+        let end = elements.last().map_or(start, |last| last.end);
         if plane.run(to.cutting) >= plane.run(end.cutting) {
             elements.push(Element { end: to, arc: None, feed: None, compensated: false });
         }
-        Self { start: contour.start, elements }.without_standing()
+        Self { start, elements }.without_standing()
     }
 
     /// Without lines that have no travel.

@@ -56,7 +56,8 @@ impl Job {
         let allowances = allowances(words, transverse);
         let plane = plane(code, recording, start, allowances)?;
         let contour = Outline::of_contour(&recording.contour, plane);
-        let blank = recording.blank.as_ref().map(|motions| Outline::of_blank(motions, &contour, plane));
+        let blank = recording.blank.as_ref();
+        let blank = blank.map(|motions| Outline::of_blank(motions, &recording.contour, plane));
         let rough = match code {
             88 => contour,
             // E100L-LAP-21.

@@ -17,6 +17,8 @@ pub struct Recorded {
     pub kind: Kind,
     /// Its end: X (as a diameter) and Z in program coordinates; in compensation that of the tip.
     pub end: Point,
+    /// The end that is programmed: that of the tip out of compensation.
+    pub programmed: Point,
     /// The E in force in its block.
     pub feed: Option<StoredFeed>,
     /// The F in force in its block.
@@ -81,11 +83,12 @@ impl Recording {
     /// Takes a motion; one without travel counts only if it is the first.
     pub fn record(&mut self, event: &Emission) {
         let (Some((kind, motion)), Some(mark)) = (kind(event), event.mark) else { return };
-        let end = motion.tip.map_or((motion.program.x.0, motion.program.z.0), |tip| (tip.x.0, tip.z.0));
+        let programmed = (motion.program.x.0, motion.program.z.0);
+        let end = motion.tip.map_or(programmed, |tip| (tip.x.0, tip.z.0));
         let motions = if self.in_blank { self.blank.get_or_insert_default() } else { &mut self.contour };
         if motions.last().is_none_or(|last| last.end != end) {
             let Mark { feed, own_feed, compensated, .. } = mark;
-            motions.push(Recorded { kind, end, feed, own_feed, compensated });
+            motions.push(Recorded { kind, end, programmed, feed, own_feed, compensated });
         }
     }
 

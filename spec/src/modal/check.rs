@@ -150,8 +150,10 @@ pub fn check(words: Words, before: Before, state: &State) -> Outcome<Plan> {
     lap::not_in_constant_speed(&words, modes)?;
     check_reference(&words, modes, setup)?;
     let converts = before.modes.converting() && !matches!(one_shot, Some(136 | 137));
-    let moves_by_mode = matches!(one_shot, None | Some(75 | 76)) && is_motion(&words, motion);
-    let asked = contour::Asked { words: &words, one_shot, modes, changes: compensation != Change::Stays };
+    let moves_by_mode =
+        matches!(one_shot, None | Some(75 | 76)) && cycle.is_none() && is_motion(&words, motion);
+    let (changes, has_cycle) = (compensation != Change::Stays, cycle.is_some());
+    let asked = contour::Asked { words: &words, one_shot, modes, changes, has_cycle };
     contour::check_conversion(&asked, converts, moves_by_mode, state)?;
     if !matches!(one_shot, Some(75 | 76)) {
         lap::check_contour_block(&words, state)?;

@@ -106,8 +106,13 @@ fn change(plan: &Plan) -> Outcome<()> {
         Change::Begins => (NRC_19, NRC_24),
         Change::Ends => (NRC_72, NRC_70),
     };
-    if !matches!(plan.motion(), 0 | 1 | 101) {
-        return fail(AlarmName::CompensationNotLinear, linear);
+    match plan.motion() {
+        0 | 1 | 101 => {}
+        102 | 103 | 132 | 133 if plan.cutter.is_some() => {
+            let detail = if plan.compensation == Change::Begins { "start_up" } else { "cancel" };
+            return Err(Fault::about(AlarmName::Unspecified, CRC_14, detail));
+        }
+        _ => return fail(AlarmName::CompensationNotLinear, linear),
     }
     let zero = |letter| plan.words.get(letter).unwrap_or(0) == 0;
     if plan.words.has_any("IK") && zero('I') && zero('K') {

@@ -18,7 +18,7 @@ pub fn every_word_has_a_function(
     converts: bool,
     state: &State,
 ) -> Outcome<()> {
-    let of_cycle = cycle::words_taken(words, one_shot, block, state);
+    let of_cycle = cycle::words_taken(words, one_shot, block, converts, state);
     let (letters, extended, calrg): (&[u8], &[&str], bool) = match (one_shot, motion) {
         _ if let Some((letters, extended)) = of_cycle => (letters, extended, false),
         (Some(4 | 28), _) => (b"", &[], false),

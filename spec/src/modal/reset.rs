@@ -24,11 +24,10 @@ const RESET: [(GGroup, RuleSet); 9] = [
 ];
 
 /// Resets the modes, the turret and the zero shift, and without an event the areas and the comment of the user task and
-/// what threads, coordinate conversion and contours keep; the events of what changes.
+/// what threads and LAP keep; the events of what changes.
 pub fn reset(state: &mut State) -> Vec<Emission> {
     state.memory.reset();
     state.thread = thread::Kept::default();
-    state.contour.end_conversion();
     state.lap = lap::Kept::default();
     let mut emissions = Vec::new();
     for (group, rules) in RESET {

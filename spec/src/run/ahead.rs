@@ -50,7 +50,8 @@ impl Channel<'_> {
         let Some(Block { place, content, .. }) = self.reader.ahead(index, program)? else { return Ok(None) };
         let place = *place;
         if let Some(definition) = &self.state.lap.definition {
-            refuse_content(content, definition.in_called(called)).map_err(|fault| fault.of_block(place))?;
+            refuse_content(content, definition.in_called(called), &self.state)
+                .map_err(|fault| fault.of_block(place))?;
         }
         let words = match content {
             Content::Statement(statement) => {

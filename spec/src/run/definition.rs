@@ -9,9 +9,11 @@ use crate::emission::Emission;
 use crate::fault::{Fault, Outcome};
 use crate::lap::{self, Definition, Mark, Purpose};
 use crate::modal::{self, Before};
+use crate::state::State;
 use crate::syntax::Statement;
+use crate::turret;
 use crate::vocabulary::rule_ids::*;
-use crate::vocabulary::{Action, AlarmName, Label, Place, Side};
+use crate::vocabulary::{Action, AlarmName, Label, Place};
 
 /// Which code of a definition has ended its part.
 enum Closed {
@@ -108,7 +110,7 @@ impl<'a> Channel<'a> {
         let Some(block) = self.reader.arrive(self.calls.running_mut(), place)? else {
             return Err(reading::end(self.calls.running()));
         };
-        refuse_content(&block.content, called)?;
+        refuse_content(&block.content, called, &self.state)?;
         let here = block.place;
         let mut events = Vec::new();
         let mut stream = self.compensation.stream(here, self.state.side(), &mut events);
@@ -188,7 +190,7 @@ impl Block {
 
 /// E100L-LAP-04, E100L-LAP-14: what a block of a definition may not hold, as it is written. `called`: it stands in a
 /// program that the definition has called.
-pub(super) fn refuse_content(content: &Content, called: bool) -> Outcome<()> {
+pub(super) fn refuse_content(content: &Content, called: bool, state: &State) -> Outcome<()> {
     let unspecified = |detail: &str| Err(Fault::about(AlarmName::Unspecified, LAP_04, detail));
     match content {
         Content::Statement(Statement::Call(_, settings)) => lap::refuse_assignments(settings),
@@ -203,9 +205,9 @@ pub(super) fn refuse_content(content: &Content, called: bool) -> Outcome<()> {
             let label = Label::of_code(b'G', code);
             Err(Fault::about(AlarmName::ContourMalformed, LAP_14, label.as_str()))
         }
-        Content::Turret(sides) => {
-            let code = if sides.first() == Some(&Side::B) { "G14" } else { "G13" };
-            Err(Fault::about(AlarmName::ContourMalformed, LAP_04, code))
+        Content::Turret(codes) => {
+            let blank = state.lap.definition.as_ref().is_some_and(|definition| definition.blank);
+            Err(turret::in_definition(codes, blank, state))
         }
         Content::Nothing | Content::Name | Content::Words(_) => Ok(()),
     }

@@ -122,8 +122,8 @@ impl<'a> Cursor<'a> {
         Err(Fault::new(AlarmName::CommentUnclosed, CMT_01).at(self.span_from(start)))
     }
 
-    /// The fault of a character that may not stand here: one without any function is illegal, another
-    /// makes the format wrong.
+    /// The fault of a character that may not stand here, ignored ones aside: one without any function is illegal,
+    /// another makes the format wrong.
     pub fn unexpected(&self) -> Fault {
         let fault = match self.peek() {
             Some(b')') => Fault::new(AlarmName::IllegalCharacter, CMT_01),
@@ -144,7 +144,6 @@ impl<'a> Cursor<'a> {
                 | b'\t'
                 | b'(',
             ) => Fault::new(AlarmName::Format, FMT_01),
-            Some(code) if is_ignored(code) => Fault::new(AlarmName::Format, FMT_01),
             Some(_) => Fault::new(AlarmName::IllegalCharacter, FMT_08),
         };
         fault.at(self.offset()..self.offset() + 1)

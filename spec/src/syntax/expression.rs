@@ -121,7 +121,7 @@ fn named(cursor: &mut Cursor, setup: &Setup) -> Outcome<Expression> {
     if one_letter || is_reserved(name) {
         return fail(AlarmName::Format, AEXP_01);
     }
-    Ok(Expression::Variable(Box::new(local_variable(name, setup)?)))
+    Ok(Expression::Variable(Box::new(local_variable(name)?)))
 }
 
 /// E100L-LVAR-02: names that no local variable can have, besides those of functions.

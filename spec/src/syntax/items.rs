@@ -96,7 +96,7 @@ fn named(cursor: &mut Cursor, setup: &Setup) -> Outcome<ItemKind> {
     }
     match name.as_bytes().first() {
         Some(letter @ (b'N' | b'O')) => Err(no_address(*letter)),
-        _ => setting(cursor, local_variable(name, setup)?, setup),
+        _ => setting(cursor, local_variable(name)?, setup),
     }
 }
 
@@ -110,10 +110,8 @@ pub fn local_name(run: &str) -> Outcome<Label> {
 }
 
 /// A local variable.
-pub fn local_variable(run: &str, setup: &Setup) -> Outcome<Variable> {
-    let name = local_name(run)?;
-    is_described(name.as_str(), setup)?;
-    Ok(Variable::Local(name))
+pub fn local_variable(run: &str) -> Outcome<Variable> {
+    local_name(run).map(Variable::Local)
 }
 
 /// E100L-FMT-01, E100L-FMT-02, E100L-FMT-03: the value of a word.

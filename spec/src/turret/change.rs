@@ -7,7 +7,7 @@ use crate::modal::mode;
 use crate::state::State;
 use crate::syntax::{Address, Item, ItemKind, Value};
 use crate::vocabulary::rule_ids::*;
-use crate::vocabulary::{AlarmName, FrameCause, RuleSet, Side};
+use crate::vocabulary::{AlarmName, FrameCause, Label, RuleSet, Side};
 
 /// E100L-MIRR-03, E100L-AX4-01: the turrets that G13 and G14 of a block name, written as plain numbers.
 pub fn selected_by(items: &[Item]) -> Vec<Side> {
@@ -48,6 +48,17 @@ pub fn change(
         }
     }
     Ok(())
+}
+
+/// The fault of a block with these codes in a definition of a contour or a blank: LAP is in force there, which forbids a
+/// change; no other code may stand there either (E100L-MIRR-09, E100L-LAP-03, E100L-LAP-04).
+pub fn in_definition(codes: &[Side], blank: bool, state: &State) -> Fault {
+    let [turret] = codes else { return Fault::new(AlarmName::GCodesConflict, GCODE_04) };
+    if *turret != state.turret() {
+        return Fault::new(AlarmName::TurretChange, MIRR_09);
+    }
+    let code = Label::of_code(b'G', code_of(*turret));
+    Fault::about(AlarmName::ContourMalformed, if blank { LAP_03 } else { LAP_04 }, code.as_str())
 }
 
 /// The amounts that each turret has for itself, in the order of their events (E100L-MIRR-18).

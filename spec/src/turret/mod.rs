@@ -6,5 +6,5 @@
 mod change;
 mod own;
 
-pub use change::{change, selected_by};
+pub use change::{change, in_definition, selected_by};
 pub use own::OwnData;

@@ -25,11 +25,11 @@ pub fn keeps_sense(infeed: i64, cutting: i64, along: bool) -> bool {
     (infeed * cutting > 0) == along
 }
 
-/// Whether a level has come to a change point or is beyond it, by so much at least; heights grow in the sense of -1 or 1.
+/// Whether a level has come to a change point or is beyond it; heights grow in the sense of -1 or 1.
 #[inline]
 #[must_use]
-pub fn is_reached(level: i64, place: i64, sense: i64, beyond: i128) -> bool {
-    i128::from(sense) * (i128::from(level) - i128::from(place)) <= -beyond
+pub fn is_reached(level: i64, place: i64, sense: i64) -> bool {
+    i128::from(sense) * (i128::from(level) - i128::from(place)) <= 0
 }
 
 /// The level below one by a depth; heights grow in the sense of -1 or 1.

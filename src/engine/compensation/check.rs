@@ -6,6 +6,7 @@ use turnspec_oracle::vocabulary::rule_ids as rules;
 use crate::engine::Interpreter;
 use crate::engine::block::OneShot;
 use crate::engine::codes::GGroup;
+use crate::engine::contour;
 use crate::engine::fault::Fault;
 use crate::engine::planted::{self, Bug};
 use crate::engine::words::{Address, Words};
@@ -21,6 +22,13 @@ pub enum Change {
     Begins,
     /// They end it.
     Ends,
+}
+
+impl Change {
+    /// How an alarm names it.
+    pub fn detail(self) -> &'static str {
+        if self == Self::Begins { "start_up" } else { "cancel" }
+    }
 }
 
 const SHIFTS: u64 = Address::set(&[Address::X, Address::Z, Address::C, Address::W]);
@@ -53,7 +61,7 @@ impl Interpreter<'_> {
         self.check_plane(plane, change)?;
         self.check_cutter(words, (one_shot, change), (motion, moves), left_over)?;
         if change != Change::None {
-            check_change(words, one_shot, motion, change)?;
+            check_change(words, one_shot, motion, change, self.cutter_plane(words).is_some())?;
         }
         let compensating = before != 40;
         let compensated = compensation.unwrap_or(before) != 40;
@@ -87,8 +95,18 @@ impl Interpreter<'_> {
 }
 
 /// A block that begins or ends compensation: its motion mode, and its imaginary point.
-fn check_change(words: &Words, one_shot: OneShot, motion: u16, change: Change) -> Result<(), Fault> {
+/// `of_cutter`: in G17 or G119.
+fn check_change(
+    words: &Words,
+    one_shot: OneShot,
+    motion: u16,
+    change: Change,
+    of_cutter: bool,
+) -> Result<(), Fault> {
     let begins = change == Change::Begins;
+    if of_cutter && contour::is_mode(motion) && motion != 101 {
+        return Err(undefined(rules::CRC_14, change.detail()));
+    }
     if motion >= 2 && motion != 101 {
         let rule = if begins { rules::NRC_19 } else { rules::NRC_72 };
         return Fault::raise(AlarmName::CompensationNotLinear, rule);

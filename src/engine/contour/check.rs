@@ -38,8 +38,7 @@ impl Interpreter<'_> {
         (one_shot, motion): (OneShot, u16),
         needs_code: bool,
     ) -> Result<(), Fault> {
-        let first = self.state.contour.conversion.is_some_and(|conversion| conversion.kept.is_none());
-        if first && words.has_g(91) {
+        if self.awaits_point() && words.has_g(91) {
             return Fault::raise(AlarmName::ConversionIncremental, rules::CSC_08);
         }
         if motion == NO_CODE && needs_code {
@@ -60,7 +59,17 @@ impl Interpreter<'_> {
         if motion == 1 {
             return Err(unspecified(rules::CSC_09, "G01"));
         }
-        if first && words.has(Address::X) != words.has(Address::Y) {
+        self.check_first_point(words)
+    }
+
+    /// Whether conversion mode has not had a point yet.
+    fn awaits_point(&self) -> bool {
+        self.state.contour.conversion.is_some_and(|conversion| conversion.kept.is_none())
+    }
+
+    /// The last row of check 2a: the first point has both coordinates (E100L-CSC-06).
+    pub(in crate::engine) fn check_first_point(&self, words: &Words) -> Result<(), Fault> {
+        if self.awaits_point() && words.has(Address::X) != words.has(Address::Y) {
             return Fault::raise(AlarmName::ConversionAxisMissing, rules::CSC_06);
         }
         Ok(())

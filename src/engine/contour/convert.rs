@@ -7,12 +7,13 @@ use turnspec_oracle::vocabulary::{ConversionZeroShift, RuleSet};
 use crate::engine::Interpreter;
 use crate::engine::arithmetic::contour::Spot;
 use crate::engine::arithmetic::frame::coordinate;
+use crate::engine::fault::Fault;
 use crate::engine::planted::{self, Bug};
 use crate::engine::state::{C, X};
 use crate::engine::words::{Address, Words};
 
 use super::plane::{diameter, direction};
-use super::{Conversion, POINT, Station};
+use super::{Conversion, POINT, Station, unspecified};
 
 impl Interpreter<'_> {
     /// The kept point, if the axes stand where it has put them.
@@ -43,6 +44,14 @@ impl Interpreter<'_> {
         let along =
             |address, from| words.get(address).map_or(from, |word| coordinate(from, word, incremental));
         Some(Spot { p: along(Address::X, from.p), q: along(Address::Y, from.q) })
+    }
+
+    /// The point that a positioning programs, and what it becomes.
+    pub(in crate::engine) fn programmed_station(&mut self, words: &Words) -> Result<Station, Fault> {
+        match self.target_point(words, self.held_point()) {
+            Some(point) => Ok(self.converted(point)),
+            None => Err(unspecified(CSC_06, "start")),
+        }
     }
 
     /// A point with the program X and C that it becomes.

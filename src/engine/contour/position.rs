@@ -1,6 +1,5 @@
 //! Positioning in conversion mode (execution of contours, 7; E100L-CSC-02 to E100L-CSC-07).
 
-use turnspec_oracle::vocabulary::rule_ids::CSC_06;
 use turnspec_oracle::vocabulary::{Action, Angle, Motion, ReadingSet, Sink};
 
 use crate::engine::Interpreter;
@@ -12,7 +11,6 @@ use crate::engine::state::{C, W, X, Z};
 use crate::engine::words::{Address, Words};
 
 use super::motion::{face_point, word_cites};
-use super::unspecified;
 
 impl Interpreter<'_> {
     /// A block with G00 and X or Y in conversion mode.
@@ -22,10 +20,7 @@ impl Interpreter<'_> {
         sink: &mut impl Sink,
     ) -> Result<(), Fault> {
         self.state.base = None;
-        let Some(point) = self.target_point(words, self.held_point()) else {
-            return Err(unspecified(CSC_06, "start"));
-        };
-        let target = self.converted(point);
+        let target = self.programmed_station(words)?;
         let along = |address, axis| {
             words.get(address).map(|word| coordinate(self.state.program(axis), word, self.state.incremental))
         };
@@ -54,7 +49,7 @@ impl Interpreter<'_> {
         self.keep_point(target);
         let motion = Motion {
             c_travel: Some(Angle(turn.travel)),
-            face: Some(face_point(point)),
+            face: Some(face_point(target.point)),
             ..self.motion_to_here(false, &mut cites, &mut readings)
         };
         let rules = self.cites.rules(cites).union(self.conversion_rules(words));

@@ -51,6 +51,23 @@ fn compensation_neither_begins_nor_ends_with_a_line_of_the_face() {
 }
 
 #[test]
+fn compensation_neither_begins_nor_ends_in_an_arc_of_the_c_axis() {
+    for (plane, code) in [("G17", "G102"), ("G17", "G103"), ("G119", "G132"), ("G119", "G133")] {
+        let begun = format!("M110\nG94 F100\n{plane} {code}\nG42 C10 L50\nM02\n");
+        let words = ["name=unspecified", "detail=start_up", "rules=E100L-CRC-14"];
+        assert!(has(&begun, &words), "{code}");
+    }
+    // In the plane of turning it is that of the nose.
+    for code in ["G102", "G103", "G132", "G133"] {
+        let begun = format!("M110\nG94 F100\n{code}\nG42\nM02\n");
+        assert!(has(&begun, &["name=compensation_not_linear", "rules=E100L-NRC-19"]), "{code}");
+        let ended = format!("M110\nG94 F100\nG42 G01 X50 Z50 T010101\nZ20\nG40 {code}\nM02\n");
+        assert!(has(&ended, &["name=compensation_not_linear", "rules=E100L-NRC-72"]), "{code}");
+    }
+    assert!(has("G94 F100\nG102\nG42 G02\nM02\n", &["name=compensation_not_linear"]));
+}
+
+#[test]
 fn a_corner_before_conversion_mode() {
     assert!(has("G01 G75 X10 Z10 L1 F0.2\nG137 C0\nM02\n", &["name=chamfer_corner", "line=1"]));
 }

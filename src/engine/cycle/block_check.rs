@@ -1,4 +1,4 @@
-//! Checks 4 to 6 of a cycle block (execution of drilling, 3).
+//! Checks 2a and 4 to 6 of a cycle block (execution of drilling, 3; execution of contours, 3).
 
 use turnspec_oracle::vocabulary::rule_ids::*;
 use turnspec_oracle::vocabulary::{AlarmName, Label};
@@ -10,16 +10,17 @@ use crate::engine::words::{Address, Words};
 
 use super::axis::Axis;
 use super::helix::lead_axis;
-use super::{CycleBlock, is_chain, is_helix, takes, unspecified};
+use super::{CycleBlock, converted, is_chain, is_helix, takes, unspecified};
 
 impl Interpreter<'_> {
-    /// Checks 4 to 6 of a cycle block.
+    /// Checks 2a and 4 to 6 of a cycle block.
     pub(in crate::engine) fn check_cycle_block(
         &self,
         words: &Words,
         block: CycleBlock,
         left_over: bool,
     ) -> Result<(), Fault> {
+        self.check_first_point(words)?;
         let code = self.cycle_of(words);
         let is_first = block == CycleBlock::First;
         if is_helix(code) {
@@ -28,7 +29,8 @@ impl Interpreter<'_> {
             self.check_hole(words, code, is_first)?;
         }
         let face = self.infeed_axis(words, is_first) == Axis::Z;
-        check_taken(words, takes(code, self.is_synchronised(code), face))?;
+        let takes = takes(code, self.is_synchronised(code), face);
+        check_taken(words, if self.state.contour.converts() { converted(takes) } else { takes })?;
         self.check_compensation_off(words, code, left_over)
     }
 

@@ -5,6 +5,7 @@ use turnspec_oracle::vocabulary::rule_ids::*;
 
 use crate::engine::Interpreter;
 use crate::engine::cite;
+use crate::engine::contour::word_cites;
 use crate::engine::thread::Cited;
 use crate::engine::words::Words;
 
@@ -42,7 +43,13 @@ pub fn cycle_rules(code: u16, synchronised: bool) -> RuleSet {
 impl Interpreter<'_> {
     /// What every motion of a block cites.
     pub(super) fn cited_in_cycle(&mut self, words: &Words) -> Cited {
-        self.cited_by_words(words).and_if(self.state.mirror < 0, const { RuleSet::of(&[MIRR_05]) })
+        let cited = if self.state.contour.converts() {
+            // There X is no diameter.
+            self.cited_by(word_cites(&self.state, self.inch_block, false))
+        } else {
+            self.cited_by_words(words)
+        };
+        cited.and_if(self.state.mirror < 0, const { RuleSet::of(&[MIRR_05]) })
     }
 
     /// What a motion at the feed in force cites besides.

@@ -89,7 +89,7 @@ impl Interpreter<'_> {
         let end = axis.other().put(level, data.coordinate(axis.other()));
         let cited =
             every.and(const { RuleSet::of(&[MCYC_05]) }).and_if(names_c, const { RuleSet::of(&[CAX_05]) });
-        self.go(&Move { end, turn, drive: Drive::Rapid, part: Part::Position, pass: None, cited }, sink)
+        self.go(&Move::rapid(end, turn, Part::Position, cited), sink)
     }
 
     /// The thread, from the present point on.
@@ -116,6 +116,6 @@ impl Interpreter<'_> {
         let turn = Some(Turn { travel, machine });
         let drive = Drive::Helix { lead, axis: axis.lead(), feed };
         self.begin_pass()?;
-        self.go(&Move { end, turn, drive, part: Part::Cut, pass: None, cited }, sink)
+        self.go(&Move { drive, ..Move::rapid(end, turn, Part::Cut, cited) }, sink)
     }
 }

@@ -1,6 +1,6 @@
 //! A block that machines in the cycle mode, and what the hole cycles have in common: levels, places, repetition
 //! (execution of drilling, 8, "Holes"; E100L-MCYC-05 to E100L-MCYC-09, E100L-MCYC-11, E100L-MCYC-15, E100L-MCYC-17,
-//! E100L-MCYC-20).
+//! E100L-MCYC-20, E100L-CSC-09).
 
 use turnspec_oracle::vocabulary::rule_ids::*;
 use turnspec_oracle::vocabulary::{AlarmName, CycleReturn, Feed, Part, RuleSet, Sink, SpindleState};
@@ -9,6 +9,7 @@ use crate::engine::Interpreter;
 use crate::engine::arithmetic::drilling::{at_depth, hole_angle, tap_lead};
 use crate::engine::arithmetic::frame::to_machine;
 use crate::engine::arithmetic::turn;
+use crate::engine::contour::{self, Station};
 use crate::engine::fault::Fault;
 use crate::engine::motion::Turn;
 use crate::engine::planted::{self, Bug};
@@ -20,7 +21,7 @@ use super::axis::Axis;
 use super::cites::cycle_rules;
 use super::keyway::Keyway;
 use super::motion::{Drive, Move};
-use super::{TAP_LENGTHS, is_helix, unspecified};
+use super::{Kept, TAP_LENGTHS, is_helix, unspecified};
 
 /// The holes of a block.
 pub struct Holes {
@@ -48,6 +49,16 @@ pub struct Holes {
     pub own: RuleSet,
     pub cites: HoleCites,
     keyway: Option<Keyway>,
+}
+
+/// Where the first hole of a block is, as far as the block says.
+#[derive(Clone, Copy)]
+struct Place {
+    /// On the position axis.
+    across: Option<i64>,
+    c: Option<i64>,
+    /// The point that it is in conversion mode.
+    station: Option<Station>,
 }
 
 /// What the motions of a hole cite.
@@ -89,12 +100,13 @@ impl Interpreter<'_> {
         if is_helix(code) {
             return self.helix(words, feed, is_first, sink);
         }
+        let place = self.place(words)?;
         let holes = self.holes(words, feed, is_first)?;
-        let first = words.get(Address::C).unwrap_or_else(|| self.state.program(C));
+        let first = place.c.unwrap_or_else(|| self.state.program(C));
         let count = words.get(Address::Q).unwrap_or_default().max(1);
         for number in 0..count {
             if number == 0 {
-                self.go_to_place(words, &holes, sink)?;
+                self.go_to_place(words, place, &holes, sink)?;
                 if is_first {
                     let state = if holes.synchronised { SpindleState::Stop } else { SpindleState::Clockwise };
                     self.turn_tool(state, holes.own, sink);
@@ -111,6 +123,20 @@ impl Interpreter<'_> {
             self.one_hole(&holes, number > 0, sink)?;
         }
         Ok(())
+    }
+
+    /// Where the words of a block put its first hole; in conversion mode that is a point.
+    fn place(&mut self, words: &Words) -> Result<Place, Fault> {
+        if !self.state.contour.converts() || !words.has_any(contour::POINT) {
+            let Kept { code, axis, .. } = self.state.cycle;
+            let across = words.get(axis.other().word()).filter(|_| code != 190);
+            return Ok(Place { across, c: words.get(Address::C), station: None });
+        }
+        let station = self.programmed_station(words)?;
+        let word = words.get(Address::X).filter(|_| planted::is(Bug::HoleOnDiameter));
+        let axis = if planted::is(Bug::HoleDirectionLost) { self.conversion_axis() } else { 0 };
+        let (across, c) = (word.unwrap_or(station.x), station.c.saturating_sub(axis));
+        Ok(Place { across: Some(across), c: Some(c), station: Some(station) })
     }
 
     /// The levels of the holes, and what is tested before the first of them.
@@ -189,14 +215,26 @@ impl Interpreter<'_> {
     }
 
     /// To the place of the first hole, where the block has words for it.
-    fn go_to_place(&mut self, words: &Words, holes: &Holes, sink: &mut impl Sink) -> Result<(), Fault> {
-        let axis = holes.axis.other();
-        let word = words.get(axis.word()).filter(|_| holes.code != 190);
+    fn go_to_place(
+        &mut self,
+        words: &Words,
+        Place { across, c, station }: Place,
+        holes: &Holes,
+        sink: &mut impl Sink,
+    ) -> Result<(), Fault> {
         let present = self.present();
-        let end = word.map_or(present, |word| axis.put(present, word));
-        let turn = words.get(Address::C).map(|word| self.turn_of(word));
-        let cited = holes.cites.every.and_if(turn.is_some(), const { RuleSet::of(&[CAX_05]) });
-        self.go(&Move { end, turn, drive: Drive::Rapid, part: Part::Position, pass: None, cited }, sink)
+        let end = across.map_or(present, |across| holes.axis.other().put(present, across));
+        let turn = c.map(|c| self.turn_of(c));
+        let mut cited = holes.cites.every.and_if(turn.is_some(), const { RuleSet::of(&[CAX_05]) });
+        if station.is_some() {
+            cited = cited.and(self.conversion_rules(words).with(CSC_09));
+        }
+        let point = station.map(|station| station.point);
+        self.go(&Move { point, ..Move::rapid(end, turn, Part::Position, cited) }, sink)?;
+        if let Some(station) = station.filter(|_| !planted::is(Bug::HolePointForgotten)) {
+            self.keep_point(station);
+        }
+        Ok(())
     }
 
     /// To the place of a further hole round the axis.
@@ -204,7 +242,7 @@ impl Interpreter<'_> {
         let end = self.present();
         let turn = Some(self.turn_of(angle));
         let cited = holes.cites.every.and(const { RuleSet::of(&[CAX_05, MCYC_20]) });
-        self.go(&Move { end, turn, drive: Drive::Rapid, part: Part::Position, pass: None, cited }, sink)
+        self.go(&Move::rapid(end, turn, Part::Position, cited), sink)
     }
 
     /// The turn of C to a program coordinate (E100L-CAX-05).

@@ -12,8 +12,8 @@ use crate::engine::words::{Address, Words};
 
 use super::axis::Axis;
 use super::cites::cycle_rules;
-use super::motion::{Drive, Move};
-use super::{CycleBlock, MACHINING, NO_CYCLE};
+use super::motion::Move;
+use super::{CycleBlock, END_CONVERSION, MACHINING, NO_CYCLE};
 
 /// The kept words: program coordinates and amounts.
 #[derive(Clone, Copy, Debug, Default)]
@@ -143,7 +143,7 @@ impl Kept {
     #[inline]
     pub fn begin_block(&mut self, words: &Words) {
         if self.after_cancel && words.any() {
-            self.after_cancel = false;
+            self.after_cancel = words.has_g(END_CONVERSION) && !planted::is(Bug::ConversionEndsDuty);
         }
         self.has_cut = false;
     }
@@ -217,6 +217,6 @@ impl Interpreter<'_> {
             .into_iter()
             .fold(self.present(), |point, axis| axis.put(point, self.cycle_start(axis)));
         let cited = self.cited_in_cycle(words).and(cycle_rules(code, false));
-        self.go(&Move { end, turn: None, drive: Drive::Rapid, part: Part::Return, pass: None, cited }, sink)
+        self.go(&Move::rapid(end, None, Part::Return, cited), sink)
     }
 }

@@ -63,6 +63,8 @@ impl CycleBlock {
 
 /// G180.
 const NO_CYCLE: u16 = 180;
+/// G136, which may stand between G180 and the block that has X and Z (E100L-MCYC-13).
+const END_CONVERSION: u16 = 136;
 
 const GROOVE: u64 = Address::set(&[
     Address::X,
@@ -84,9 +86,11 @@ pub const GROOVE_TAKES: u64 = GROOVE;
 /// The words that G77 and G78 take.
 pub const TAP_TAKES: u64 = Address::set(&[Address::X, Address::Z, Address::K]);
 /// The words that make a hole block of a follow-up block.
-const MACHINING: u64 = Address::set(&[Address::X, Address::Z, Address::C, Address::R, Address::Q]);
+const MACHINING: u64 =
+    Address::set(&[Address::X, Address::Y, Address::Z, Address::C, Address::R, Address::Q]);
 /// The words of lengths in a synchronised cycle, where D is an angle.
-const TAP_LENGTHS: u64 = Address::set(&[Address::X, Address::Z, Address::I, Address::K, Address::R]);
+const TAP_LENGTHS: u64 =
+    Address::set(&[Address::X, Address::Y, Address::Z, Address::I, Address::K, Address::R]);
 
 /// The words that a block of a cycle takes (execution of drilling, check 5).
 fn takes(code: u16, synchronised: bool, face: bool) -> u64 {
@@ -103,6 +107,11 @@ fn takes(code: u16, synchronised: bool, face: bool) -> u64 {
         190 => SIDE_SLOT,
         _ => DWELL,
     }
+}
+
+/// The words that a hole takes in conversion mode, of those that it takes out of it (E100L-CSC-09).
+fn converted(takes: u64) -> u64 {
+    takes & !Address::set(&[Address::C, Address::I]) | Address::Y.bit()
 }
 
 /// Whether a cycle cuts a thread with the C axis.

@@ -1,5 +1,5 @@
 //! What the cycle mode allows: check 1a, of blocks while a cycle code is in force or has just ended (execution of
-//! drilling, 3; E100L-MCYC-01, E100L-MCYC-03, E100L-MCYC-13, E100L-MCYC-14, E100L-MCYC-21).
+//! drilling, 3; E100L-MCYC-01, E100L-MCYC-03, E100L-MCYC-13, E100L-MCYC-14, E100L-MCYC-21, E100L-CSC-09).
 
 use turnspec_oracle::vocabulary::rule_ids::*;
 use turnspec_oracle::vocabulary::{AlarmName, Label};
@@ -11,7 +11,7 @@ use crate::engine::fault::Fault;
 use crate::engine::planted::{self, Bug};
 use crate::engine::words::{Address, Item, Parsed, Words};
 
-use super::{CycleBlock, NO_CYCLE, is_helix};
+use super::{CycleBlock, END_CONVERSION, NO_CYCLE, is_helix, unspecified};
 
 impl Interpreter<'_> {
     /// Check 1a, and what the block is to the cycles.
@@ -29,7 +29,7 @@ impl Interpreter<'_> {
             return Fault::raise(AlarmName::CycleCancelMissing, MCYC_21);
         }
         let both = words.has(Address::X) && (words.has(Address::Z) || planted::is(Bug::XAloneBehindCancel));
-        if kept.after_cancel && !both {
+        if kept.after_cancel && !both && !words.has_g(END_CONVERSION) {
             return Fault::raise(AlarmName::WordMissing, MCYC_13);
         }
         if block.in_mode() {
@@ -38,19 +38,23 @@ impl Interpreter<'_> {
         Ok(block)
     }
 
-    /// The last row of check 1a: nothing of it in coordinate conversion (E100L-CSC-09).
+    /// The last rows of check 1a: in coordinate conversion there are holes of driven tools along Z alone.
     pub(in crate::engine) fn check_cycle_in_conversion(
         &self,
         words: &Words,
         one_shot: OneShot,
         block: CycleBlock,
     ) -> Result<(), Fault> {
-        let code = match words.code_of(GGroup::OneShot) {
-            _ if block.in_mode() => self.cycle_of(words),
-            Some(code) if one_shot.is_groove() || one_shot.is_tap() => code,
-            _ => return Ok(()),
-        };
-        Err(Fault::about(AlarmName::Unspecified, CSC_09, Label::of_code(b'G', code)))
+        let refuse = |code| Err(Fault::about(AlarmName::Unspecified, CSC_09, Label::of_code(b'G', code)));
+        if !block.in_mode() {
+            let bores = one_shot.is_groove() || one_shot.is_tap();
+            return words.code_of(GGroup::OneShot).filter(|_| bores).map_or(Ok(()), refuse);
+        }
+        match self.cycle_of(words) {
+            code if is_helix(code) || code == 190 => refuse(code),
+            _ if words.has(Address::I) => Err(unspecified(CSC_09, "I")),
+            _ => Ok(()),
+        }
     }
 
     /// The same, of a cycle block.

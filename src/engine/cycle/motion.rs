@@ -6,9 +6,11 @@ use turnspec_oracle::vocabulary::{
 };
 
 use crate::engine::Interpreter;
+use crate::engine::arithmetic::contour::Spot;
 use crate::engine::arithmetic::frame::to_machine;
 use crate::engine::arithmetic::plane::Point;
 use crate::engine::cite::Cites;
+use crate::engine::contour::face_point;
 use crate::engine::fault::Fault;
 use crate::engine::motion::{Kind, Turn};
 use crate::engine::state::{C, X, Z};
@@ -45,13 +47,22 @@ pub struct Move {
     pub drive: Drive,
     pub part: Part,
     pub pass: Option<u32>,
+    /// The point of conversion mode to which it leads.
+    pub point: Option<Spot>,
     pub cited: Cited,
+}
+
+impl Move {
+    /// A rapid motion that belongs to no pass.
+    pub fn rapid(end: Point, turn: Option<Turn>, part: Part, cited: Cited) -> Self {
+        Self { end, turn, drive: Drive::Rapid, part, pass: None, point: None, cited }
+    }
 }
 
 impl Interpreter<'_> {
     /// Makes a motion, unless it leads nowhere.
     pub(super) fn go(&mut self, motion: &Move, sink: &mut impl Sink) -> Result<(), Fault> {
-        let Move { end, turn, drive, part, pass, mut cited } = *motion;
+        let Move { end, turn, drive, part, pass, point, mut cited } = *motion;
         let present = self.present();
         let travels = end != present;
         if !travels && turn.is_none_or(|turn| turn.travel == 0) {
@@ -95,6 +106,7 @@ impl Interpreter<'_> {
             speed,
             pass,
             part: Some(part),
+            face: point.map(face_point),
             ..Motion::default()
         };
         let thread = |lead, axis, start: i64, spindle, feed| Action::Thread {
@@ -128,7 +140,7 @@ impl Interpreter<'_> {
         sink: &mut impl Sink,
     ) -> Result<(), Fault> {
         let end = axis.put(self.present(), coordinate);
-        self.go(&Move { end, turn: None, drive, part, pass, cited }, sink)
+        self.go(&Move { end, turn: None, drive, part, pass, point: None, cited }, sink)
     }
 
     /// A cutting pass begins: every one but the first of its block is a step of the run (E100L-GOTO-03).

@@ -9,6 +9,8 @@ use turnspec_oracle::vocabulary::{
 
 use crate::engine::run;
 
+mod conversion;
+
 fn trace(program: &str, setup: &Setup) -> Vec<Event> {
     let mut events = Vec::new();
     run(program.as_bytes(), setup, &mut |event: &Event| events.push(*event));

@@ -24,6 +24,15 @@ impl Interpreter<'_> {
     #[cold]
     pub(in crate::engine) fn admit_parsed(&self, parsed: &Parsed) -> Result<(), Fault> {
         let Some(definition) = self.lap.definition() else { return Ok(()) };
+        if self.is_turret_block(parsed) {
+            // E100L-MIRR-03: nothing else in it counts. E100L-MIRR-09: LAP forbids a change.
+            let code = Self::turret_code(parsed)?;
+            if self.changes_turret(code) {
+                return Fault::raise(AlarmName::TurretChange, MIRR_09);
+            }
+            let rule = if definition.blank { LAP_03 } else { LAP_04 };
+            return Err(malformed(rule, Label::of_code(b'G', code)));
+        }
         let returns = self.task.depth() > definition.depth;
         if let Some(control) = parsed.control.filter(|control| !control.is_for_contours(returns)) {
             return Err(unspecified(LAP_04, control.word()));
@@ -41,11 +50,6 @@ impl Interpreter<'_> {
         if !parsed.contour.is_empty() {
             let code = codes(parsed).next().unwrap_or_default();
             return Err(malformed(LAP_14, Label::of_code(b'G', code)));
-        }
-        if self.is_turret_block(parsed) {
-            let code = codes(parsed).find(|code| matches!(code, 13 | 14)).unwrap_or_default();
-            let rule = if definition.blank { LAP_03 } else { LAP_04 };
-            return Err(malformed(rule, Label::of_code(b'G', code)));
         }
         Ok(())
     }

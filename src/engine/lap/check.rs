@@ -13,12 +13,16 @@ use crate::engine::words::{Address, Item, Parsed, Words};
 
 use super::{Code, malformed, unspecified};
 
-const LIMITS: u64 = Address::set(&[Address::XA, Address::XB, Address::ZA, Address::ZB]);
-const FIRST: u64 = Address::set(&[Address::XA, Address::ZA]);
-const OF_FIRST: u64 = Address::set(&[Address::DA, Address::FA]);
-const SECOND: u64 = Address::set(&[Address::XB, Address::ZB]);
-const OF_SECOND: u64 = Address::set(&[Address::DB, Address::FB]);
-const CHANGES: u64 = LIMITS | OF_FIRST | OF_SECOND;
+const CHANGES: u64 = Address::set(&[
+    Address::XA,
+    Address::XB,
+    Address::ZA,
+    Address::ZB,
+    Address::DA,
+    Address::DB,
+    Address::FA,
+    Address::FB,
+]);
 
 /// The place of the value of a feed of LAP in its block.
 fn place_of(address: Address) -> usize {
@@ -252,10 +256,6 @@ fn check_cut(words: &Words, rule: RuleId) -> Result<(), Fault> {
 fn check_changes(words: &Words) -> Result<(), Fault> {
     if !words.has_g(84) {
         return Ok(());
-    }
-    let alone = |of: u64, point: u64| words.has_any(of) && !words.has_any(point);
-    if !words.has_any(LIMITS) || alone(OF_FIRST, FIRST) || alone(OF_SECOND, SECOND) {
-        return Fault::raise(AlarmName::WordMissing, LAPC_02);
     }
     let impossible = |address: &&Address| match address {
         Address::DA | Address::DB => words.get(**address) == Some(0),

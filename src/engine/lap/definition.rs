@@ -165,6 +165,8 @@ pub struct Recorded {
     pub course: Course,
     /// In program coordinates; of the tip in compensation.
     pub end: Point,
+    /// The end that is programmed.
+    pub programmed: Point,
     /// E of its block, for a line of a thread F.
     pub feed: Option<StoredFeed>,
     /// Whether compensation was in force in its block.

@@ -13,7 +13,7 @@ use crate::engine::planted::{self, Bug};
 use crate::engine::state::StoredFeed;
 use crate::engine::words::{Address, Words};
 
-use super::definition::Course;
+use super::definition::{Course, Recorded};
 use super::outline::{Outline, blank_elements, elements};
 use super::plane::Axes;
 use super::read::Reading;
@@ -76,8 +76,10 @@ pub struct Job {
 impl Job {
     /// Depth and feed below a level.
     pub fn below(&self, level: i64) -> Cut {
-        let beyond = i128::from(planted::is(Bug::ChangeBehindPoint));
-        let reached = |change: &&Change| lap::is_reached(level, change.place, self.axes.infeed, beyond);
+        let reached = |change: &&Change| {
+            let missed = level == change.place && planted::is(Bug::ChangeBehindPoint);
+            lap::is_reached(level, change.place, self.axes.infeed) && !missed
+        };
         match self.changes.iter().flatten().find(reached) {
             Some(change) => Cut { depth: change.depth, feed: change.feed, differs: change.differs },
             None => Cut { depth: self.depth, feed: self.feed, differs: false },
@@ -148,6 +150,9 @@ impl Interpreter<'_> {
         };
         let moved = elements(first, contour).map(|element| element.moved(shift)).collect();
         let blank = reading.blank.then(|| {
+            // E100L-LAP-02: it has the ends of the contour as they are programmed.
+            let programmed = |motion: Option<&Recorded>| motion.map_or(first, |motion| motion.programmed);
+            let (first, end) = (programmed(contour.first()), programmed(contour.last()));
             let elements = blank_elements(axes, first, end, &reading.definition.blank_motions);
             Outline::new(axes, first, elements)
         });
@@ -173,7 +178,9 @@ impl Interpreter<'_> {
         };
         self.take_changes(words, &mut job)?;
         check_outlines(&job, code, reading.blank)?;
-        if code == Code::Copy && reading.blank && on_cutting > job.clearance {
+        let begin = job.blank.as_ref().map_or(job.contour.start, |blank| blank.start);
+        let before = axes.cutting * (axes.split(begin).1 - axes.split(job.contour.start).1);
+        if code == Code::Copy && before > job.clearance {
             return Err(allowance_fault(rule_ids::AP5_02, if axes.along { "W" } else { "U" }));
         }
         Ok(job)

@@ -49,7 +49,9 @@ impl Interpreter<'_> {
         let end = end_of(&motion);
         if definition.count(end) && definition.purpose != Purpose::Finish {
             let mark = definition.marks.get(mark);
-            let recorded = Recorded { course, end, feed: mark.feed, compensated: mark.compensated };
+            let programmed = Point { x: motion.program.x.0, z: motion.program.z.0 };
+            let recorded =
+                Recorded { course, end, programmed, feed: mark.feed, compensated: mark.compensated };
             let motions = match definition.blank {
                 true => &mut definition.blank_motions,
                 false => &mut definition.contour_motions,

@@ -1,7 +1,7 @@
 //! Rough cycles of contours that look like chance: what they cut, they cut along the contour and nowhere below it.
 
 use turnspec_oracle::vocabulary::{
-    Action, AlarmName, Event, Length, NoseRadius, Part, ProgramText, Sense, Setup, UnitSystem,
+    Action, AlarmName, Event, Length, MachineType, NoseRadius, Part, ProgramText, Sense, Setup, UnitSystem,
 };
 
 use crate::engine::run;
@@ -414,4 +414,32 @@ fn no_words_break_a_cycle() {
         events += trace(&text, &setup).len();
     }
     assert!(events > 200_000, "{events} events");
+}
+
+#[test]
+fn a_change_of_turret_is_refused_whatever_stands_beside_it() {
+    let mut setup = Setup::default();
+    setup.machine.r#type = MachineType::TwoTurrets;
+    let refused = |block: &str| {
+        let program =
+            format!("G00 X60 Z5\nG87 NAT1\nM02\nNAT1 G81\nG00 X50 Z2\n{block}\nG01 Z-10 F0.2\nG80\n");
+        let mut found = (AlarmName::NotModelled, String::new());
+        run(program.as_bytes(), &setup, &mut |event: &Event| {
+            if let Action::Alarm(alarm) = event.action {
+                found = (alarm.name, alarm.detail.as_str().to_owned());
+            }
+        });
+        found
+    };
+    for block in ["G14", "G14 VZOFX=1", "G91 G14 M03", "G14 X9999999", "G96 G14"] {
+        assert_eq!(refused(block), (AlarmName::TurretChange, String::new()), "{block}");
+    }
+    for (block, name, detail) in [
+        ("G13", AlarmName::ContourMalformed, "G13"),
+        ("G13 M03", AlarmName::ContourMalformed, "G13"),
+        ("G13 VZOFX=1", AlarmName::ContourMalformed, "G13"),
+        ("G13 G14", AlarmName::GCodesConflict, ""),
+    ] {
+        assert_eq!(refused(block), (name, detail.to_owned()), "{block}");
+    }
 }

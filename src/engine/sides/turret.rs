@@ -110,18 +110,29 @@ impl Interpreter<'_> {
         self.state.other_turret.is_some() && turret_codes(parsed).next().is_some()
     }
 
+    /// The code of a block that selects a turret: only one may stand there.
+    pub(in crate::engine) fn turret_code(parsed: &Parsed) -> Result<u16, Fault> {
+        let mut codes = turret_codes(parsed);
+        let code = codes.next().unwrap_or(13);
+        if codes.next().is_some() {
+            return Fault::raise(AlarmName::GCodesConflict, GCODE_04);
+        }
+        Ok(code)
+    }
+
+    /// Whether a code selects the other turret.
+    pub(in crate::engine) fn changes_turret(&self, code: u16) -> bool {
+        side_of(code) != self.state.selected
+    }
+
     /// Carries out a block that selects a turret: nothing else in it counts.
     pub(in crate::engine) fn select_turret(
         &mut self,
         parsed: &Parsed,
         sink: &mut impl Sink,
     ) -> Result<(), Fault> {
-        let mut codes = turret_codes(parsed);
-        let code = codes.next().unwrap_or(13);
-        if codes.next().is_some() {
-            return Fault::raise(AlarmName::GCodesConflict, GCODE_04);
-        }
-        if side_of(code) == self.state.selected {
+        let code = Self::turret_code(parsed)?;
+        if !self.changes_turret(code) {
             return Ok(());
         }
         let state = &self.state;

@@ -4,6 +4,7 @@ use turnspec_oracle::vocabulary::rule_ids::*;
 use turnspec_oracle::vocabulary::{LeadAxis, Part, RuleSet, Sink};
 
 use crate::engine::Interpreter;
+use crate::engine::cite::Cites;
 use crate::engine::fault::Fault;
 use crate::engine::words::Words;
 
@@ -29,7 +30,12 @@ pub struct PassCites {
 impl Interpreter<'_> {
     /// What all motions of a block cite.
     pub(in crate::engine) fn cited_by_words(&mut self, words: &Words) -> Cited {
-        let rules = self.cites.rules(self.plane_cites(words));
+        self.cited_by(self.plane_cites(words))
+    }
+
+    /// What they cite for the words of their block.
+    pub(in crate::engine) fn cited_by(&mut self, cites: Cites) -> Cited {
+        let rules = self.cites.rules(cites);
         Cited { rules, ..Cited::default() }.by_if(self.inch_block, self.known.inch)
     }
 

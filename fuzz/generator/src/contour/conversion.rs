@@ -20,6 +20,10 @@ impl Builder<'_, '_, '_> {
         for _ in 0..self.choices.below(9) {
             self.begin();
             self.conversion_block();
+            if !self.state.contours.converts() {
+                // Behind holes.
+                return;
+            }
             if !self.still_ready() || self.state.control.steady {
                 break;
             }
@@ -88,16 +92,18 @@ impl Builder<'_, '_, '_> {
     fn conversion_block(&mut self) {
         let holds = self.state.kept_point().is_some();
         if !self.state.contours.given {
-            match self.choices.below(8) {
+            match self.choices.below(9) {
                 0 => return self.along_axis(),
                 1 if self.allows(Feature::Dwell) => return self.dwell(),
                 2 => return self.beside_points(),
+                3 if self.may_drill_points() => return self.holes(),
                 _ => return self.first_point(),
             }
         }
-        match self.choices.below(20) {
-            0..=7 if holds => drop(self.attempted(|builder| builder.point_block(Course::Line))),
-            8..=13 if holds => drop(self.attempted(|builder| builder.point_block(Course::Arc))),
+        match self.choices.below(22) {
+            20 | 21 if self.may_drill_points() => self.holes(),
+            0..=7 if holds => drop(self.attempt(|builder| builder.point_block(Course::Line))),
+            8..=13 if holds => drop(self.attempt(|builder| builder.point_block(Course::Arc))),
             14 => self.along_axis(),
             15 => self.beside_points(),
             16 if self.allows(Feature::ZeroShift) => self.shift_of_z(),
@@ -106,8 +112,16 @@ impl Builder<'_, '_, '_> {
                 let word = self.tool_word();
                 self.push(vec![word]);
             }
-            _ if holds => drop(self.attempted(|builder| builder.point_block(Course::Rapid))),
+            _ if holds => drop(self.attempt(|builder| builder.point_block(Course::Rapid))),
             _ => self.first_point(),
+        }
+    }
+
+    /// Holes, or a block of other words where none can be.
+    fn holes(&mut self) {
+        if !self.holes_at_points() {
+            self.begin();
+            self.beside_points();
         }
     }
 
@@ -118,7 +132,7 @@ impl Builder<'_, '_, '_> {
             self.push(vec![item]);
             self.begin();
         }
-        if !self.attempted(|builder| builder.point_block(Course::Both)) {
+        if !self.attempt(|builder| builder.point_block(Course::Both)) {
             self.beside_points();
         }
     }
@@ -209,13 +223,30 @@ impl Builder<'_, '_, '_> {
     /// Moves the axes to a point and keeps it.
     pub(crate) fn move_to_point(&mut self, point: [i64; 2]) {
         let from = self.present();
-        let (x, c) = self.axes_of_point(point);
+        let x = self.keep_point(point);
         self.state.move_to(Axis::X, x);
+        self.travelled(from, self.present(), None);
+    }
+
+    /// Turns C to a point and keeps it; the program X where X has to go.
+    pub(crate) fn keep_point(&mut self, point: [i64; 2]) -> i64 {
+        let (x, c) = self.axes_of_point(point);
         self.state.turn_to(c);
         let c_shift = self.state.c_shift;
         self.state.contours.kept = Some(Kept { point, x, c, c_shift });
         self.state.contours.given = true;
-        self.travelled(from, self.present(), None);
+        x
+    }
+
+    /// A point of the face.
+    pub(crate) fn some_point(&mut self) -> [i64; 2] {
+        let (_, high) = self.state.window(Axis::X);
+        let most = (high / 3).clamp(4_000_000, 200_000_000);
+        let grid = self.choices.pick(&[10_000_000, 1_000_000, 1_000_000, 1_000]);
+        [0, 1].map(|_: usize| {
+            let coordinate = self.choices.within(-most / grid, most / grid) * grid;
+            self.on_grid(coordinate)
+        })
     }
 
     /// The length that a whole number of increments next to this one is.

@@ -52,6 +52,11 @@ impl Contours {
         }
     }
 
+    /// Whether conversion mode is in force.
+    pub(crate) fn converts(&self) -> bool {
+        self.direction.is_some()
+    }
+
     /// Whether C turns in the negative direction.
     pub(crate) fn is_backward(&self) -> bool {
         self.backward
@@ -99,9 +104,6 @@ pub(crate) fn is_within(profile: &Profile) -> bool {
         .all(|feature| profile.allows(*feature))
 }
 
-/// How often a block is drawn anew when the control would refuse it.
-const ATTEMPTS: usize = 8;
-
 impl Builder<'_, '_, '_> {
     /// A run of contours, or a positioning where none can be cut.
     pub(crate) fn contours(&mut self) {
@@ -132,28 +134,14 @@ impl Builder<'_, '_, '_> {
                 return;
             }
             let written = if self.choices.chance(55) {
-                self.attempted(Self::face_line)
+                self.attempt(Self::face_line)
             } else {
-                self.attempted(Self::face_arc)
+                self.attempt(Self::face_arc)
             };
             if !written {
                 self.position_for_contour();
             }
         }
-    }
-
-    /// Draws a block again until it can stand, and adds it; false when none can.
-    pub(crate) fn attempted(&mut self, write: impl Fn(&mut Self) -> bool) -> bool {
-        for _ in 0..ATTEMPTS {
-            let (state, lines) = (self.state.clone(), self.lines.len());
-            self.begin();
-            if write(self) {
-                return true;
-            }
-            self.state = state;
-            self.lines.truncate(lines);
-        }
-        false
     }
 
     /// A C word for a program coordinate, in micro-degrees, and the angle that is reached.

@@ -111,13 +111,7 @@ impl Builder<'_, '_, '_> {
 
     /// A point where a block may lead: anywhere, on the line through the centre, at the centre, beside the present one.
     fn wanted_point(&mut self, start: [i64; 2], course: Course) -> [i64; 2] {
-        let (_, high) = self.state.window(Axis::X);
-        let most = (high / 3).clamp(4_000_000, 200_000_000);
-        let grid = self.choices.pick(&[10_000_000, 1_000_000, 1_000_000, 1_000]);
-        let anywhere = [0, 1].map(|_: usize| {
-            let coordinate = self.choices.within(-most / grid, most / grid) * grid;
-            self.on_grid(coordinate)
-        });
+        let anywhere = self.some_point();
         if course == Course::Both || start == [0, 0] {
             return if self.choices.chance(4) { [0, 0] } else { anywhere };
         }

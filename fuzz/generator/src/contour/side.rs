@@ -22,7 +22,7 @@ impl Builder<'_, '_, '_> {
             if !self.still_ready() || !self.side_mode() {
                 return;
             }
-            if !self.attempted(Self::side_arc) {
+            if !self.attempt(Self::side_arc) {
                 self.position_for_contour();
             }
         }

@@ -39,7 +39,7 @@ impl Builder<'_, '_, '_> {
                 return self.nothing_more();
             }
             let last = !self.state.control.is_called() && self.choices.chance(8);
-            open = last || !self.attempted(|builder| builder.cutter_cancel());
+            open = last || !self.attempt(|builder| builder.cutter_cancel());
             if open {
                 break;
             }
@@ -96,7 +96,7 @@ impl Builder<'_, '_, '_> {
         let sign = wanted.map_or_else(|| self.choices.pick(&[1, -1]), |(sign, _)| sign);
         let cutter = &mut self.state.cutter;
         (cutter.sign, cutter.last, cutter.idle, cutter.around) = (sign, None, 0, 0.0);
-        self.attempted(|builder| builder.cutter_start_up(wanted.map(|(_, point)| point)))
+        self.attempt(|builder| builder.cutter_start_up(wanted.map(|(_, point)| point)))
     }
 
     /// A block that begins compensation.
@@ -166,7 +166,7 @@ impl Builder<'_, '_, '_> {
         }
         let on = self.choices.pick(&[-1, -1, 2, 4]);
         let end = Point { z: (-way * away / on) as f64, x: start.x };
-        self.attempted(|builder| builder.cutter_line_to(end, Vec::new()));
+        self.attempt(|builder| builder.cutter_line_to(end, Vec::new()));
         true
     }
 
@@ -177,8 +177,8 @@ impl Builder<'_, '_, '_> {
         let from = self.cutter_point();
         let by = self.choices.pick(&[-1, 1]) * self.choices.within(1, 30) * 500_000;
         let end = self.on_ray(from, by as f64);
-        if self.attempted(|builder| builder.cutter_line_to(end, Vec::new())) {
-            self.attempted(|builder| {
+        if self.attempt(|builder| builder.cutter_line_to(end, Vec::new())) {
+            self.attempt(|builder| {
                 let items = builder.cutter_word(false).into_iter().collect();
                 let wanted = builder.cutter_leg(builder.cutter_point());
                 builder.cutter_line_to(wanted, items)
@@ -199,13 +199,13 @@ impl Builder<'_, '_, '_> {
                     return true;
                 }
             }
-            self.attempted(Self::cutter_element);
+            self.attempt(Self::cutter_element);
         }
         for _ in 0..6 {
             if self.state.cutter.last.is_some() {
                 break;
             }
-            self.attempted(Self::cutter_element);
+            self.attempt(Self::cutter_element);
         }
         self.state.cutter.last.is_some()
     }

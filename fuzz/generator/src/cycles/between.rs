@@ -63,7 +63,7 @@ impl Builder<'_, '_, '_> {
             return;
         }
         self.settle_label();
-        let hole = self.state.cycles.hole.filter(|hole| !hole.spent);
+        let hole = self.state.cycles.hole.filter(|hole| !hole.spent && !self.converts());
         let drills = hole.is_some_and(|hole| self.drill_again(hole));
         let name = self.raw_program(if drills { &["C0", "RTS"] } else { &["RTS"] });
         self.statement(Statement::Call(name), Vec::new());

@@ -33,6 +33,13 @@ impl Builder<'_, '_, '_> {
             self.begin();
             return self.line(Mode::Rapid);
         }
+        self.rest_of_cycle();
+        let point = [Axis::X, Axis::Z].map(|axis| self.state.somewhere(axis, self.choices));
+        self.position(point);
+    }
+
+    /// The blocks behind the first one, as far as G180.
+    pub(super) fn rest_of_cycle(&mut self) {
         for _ in 0..self.choices.below(FOLLOWERS) {
             if self.choices.chance(25) {
                 self.between_holes();
@@ -51,7 +58,7 @@ impl Builder<'_, '_, '_> {
     }
 
     /// SB and SA in front of a cycle, as it needs them.
-    fn speeds_of_cycle(&mut self, code: i64) {
+    pub(super) fn speeds_of_cycle(&mut self, code: i64) {
         if self.state.is_eia() {
             return;
         }
@@ -80,7 +87,7 @@ impl Builder<'_, '_, '_> {
         if self.state.cycles.helix.is_some() { self.next_helix() } else { self.next_hole() }
     }
 
-    /// G180, and X and Z behind it.
+    /// G180; X and Z have to come behind it.
     fn end_of_cycle(&mut self) {
         self.begin();
         self.push(vec![Item::g(180)]);
@@ -94,7 +101,5 @@ impl Builder<'_, '_, '_> {
         if self.choices.chance(10) {
             self.assignment_between();
         }
-        let point = [Axis::X, Axis::Z].map(|axis| self.state.somewhere(axis, self.choices));
-        self.position(point);
     }
 }

@@ -70,7 +70,7 @@ impl Builder<'_, '_, '_> {
         let synchronised = self.is_synchronised(code);
         self.modes_of_cycle((!synchronised).then_some(true), &mut items);
         let start = [self.state.machine[0], self.state.machine[1]];
-        let side = self.choices.chance(35);
+        let side = self.choices.chance(35) && !self.converts();
         let (axis, approach) = if side { (Axis::X, "I") } else { (Axis::Z, "K") };
         let here = self.state.program(axis);
         let wanted = self.choices.pick(&[2_000_000, 0, 5_000_000, 1_000, 3_500_000]);
@@ -125,7 +125,7 @@ impl Builder<'_, '_, '_> {
         self.words_of_hole([20, 20], &mut hole, &mut items);
         self.cycle_feed(8, &mut items);
         let has = |address| crate::companions::has(&items, address);
-        if !["X", "Z", "C", "R", "Q"].into_iter().any(has) {
+        if !["X", "Y", "Z", "C", "R", "Q"].into_iter().any(has) {
             return false;
         }
         self.drill(hole, items)
@@ -146,6 +146,10 @@ impl Builder<'_, '_, '_> {
 
     /// The word of the place, or of the end of a slot.
     fn place_word(&mut self, hole: &mut Hole, items: &mut Vec<Item>) {
+        if self.converts() {
+            hole.end = self.place_by_point(items);
+            return;
+        }
         let (_, axis) = hole.axes();
         let from = self.state.program(axis);
         let wanted = if hole.code == 190 {
@@ -182,7 +186,7 @@ impl Builder<'_, '_, '_> {
             _ if synchronised => self.words_of_tap(other, items),
             _ => self.dwell_word(other / 2, items),
         }
-        if self.choices.chance(45) {
+        if self.choices.chance(45) && !self.converts() {
             let grid = self.choices.pick(&[30_000_000, 1_000_000, 1_000]);
             let wanted = self.choices.within(-359_999_000 / grid, 359_999_000 / grid) * grid;
             let (item, angle) = self.angle("C", wanted);
@@ -275,7 +279,8 @@ impl Builder<'_, '_, '_> {
         if slot && hole.end == beside {
             return false;
         }
-        if !slot && written(aside.address()) && !self.move_axis(Mode::Rapid, aside, hole.end) {
+        let placed = written(aside.address()) || written("Y");
+        if !slot && placed && !self.move_axis(Mode::Rapid, aside, hole.end) {
             return false;
         }
         let mut goes =

@@ -3,7 +3,7 @@
 //!
 //! [`groove`] writes G73 and G74, [`tap`] G77 and G78, each in one block. [`driven`] writes a whole run of a cycle of
 //! driven tools, from the blocks that allow it ([`ready`]) to G180 and the positioning behind it: [`hole`] holes, taps
-//! and slots, [`helix`] threads of the C axis. [`between`] writes what may stand among their blocks, [`way`] foresees
+//! and slots, [`points`] holes in conversion mode, [`helix`] threads of the C axis. [`between`] writes what may stand among their blocks, [`way`] foresees
 //! their motions, [`words`] writes what all have in common.
 
 mod between;
@@ -11,6 +11,7 @@ mod driven;
 mod groove;
 mod helix;
 mod hole;
+mod points;
 mod ready;
 mod setup;
 mod tap;

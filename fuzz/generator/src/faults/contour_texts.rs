@@ -68,7 +68,7 @@ pub(super) const FORMS: &[(Fault, &[&str])] = &[
         "G91 G101 X-100.001", "G00 X-10\nG102 X10 L20", "G137 C0\nG00 X30 Y40\nG102 X0 Y0 L50", "G137 C0\nG00 X0 Y0\nG103 X5 L50",
         "G00 X0\nG132 L60", "G00 X-10\nG101 C90",
     ]),
-    (Fault::ConversionAxisMissing, &["G137 C0\nG00 X30", "G137 C0\nG00 Y40", "G137 C20\nG00\nZ5\nY40", "G137 C0\nG101 X5", "G137 C0\nG102 Y5 L50"]),
+    (Fault::ConversionAxisMissing, &["G137 C0\nG00 X30", "G137 C0\nG00 Y40", "G137 C20\nG00\nZ5\nY40", "G137 C0\nG101 X5", "G137 C0\nG102 Y5 L50", "G137 C0\nG181 X30 R-5 K1", "G137 C0\nG189 Y40 R-5 K1"]),
     (Fault::ConversionIncremental, &[
         "G91\nG137 C0", "G91 G137 C0", "G137 C0 G91", "G137 C0\nG91", "G137 C0\nG91 G00 X30 Y40", "G137 C0\nG00 Z5\nG91 Z5",
         "G137 C0\nG00 X30 Y40\nG137 C5\nG91",
@@ -82,7 +82,7 @@ pub(super) const FORMS: &[(Fault, &[&str])] = &[
     (Fault::WordWithoutFunction, &[
         "G101 C90 I5", "G102 C90 L50 A5", "G132 Z20 L60 I5", "G137 C0\nG00 X30 Y40 C5", "G137 C0\nG00 X30 Y40 A5", "G137 C0 X5", "G137 C0 Z5",
         "G101 X50 L50", "G101 X50 Z5 K2", "G133 Z20 L60 D5", "G137 C0\nG00 X30 Y40\nG101 X50 C5", "G137 C0\nG01 Z5 C5", "G04 F1 L50",
-        "G137 C0\nG00 X30 Y40\nG102 X40 W5", "G137 C0\nI5",
+        "G137 C0\nG00 X30 Y40\nG102 X40 W5", "G137 C0\nI5", "G137 C0\nG181 X30 Y40 C5 R-5 K1",
     ]),
     (Fault::CompensationNotLinear, &["G102\nG42", "G103 G41", "G132\nG42", "G133 G41 Z5 L60", "G102 G42 C90 L60"]),
     (Fault::ChamferNotLinear, &["G101 G75 X50 L1", "G102\nG76 X50 L1", "G133 G75 Z5 L1", "G103 G76 C90 L50"]),
@@ -114,6 +114,10 @@ pub(super) const NOT_DESCRIBED: &[&str] = &[
     "G137 C0\nG00 X30 Y40\nG01 Y20", "G137 C0\nG01 X5 Y5", "G137 C0\nG02 X50 Z-5 L20", "G137 C0\nG00 X30 Y40\nG03 X5 Y5 L20", "G137 C0\nG00 X30 Y40\nG50 X0",
     "G137 C0\nG50 C5", "G137 C0\nG01 G75 Z-5 L1", "G137 C0\nG33 X5 Z5", "G137 C0\nG00\nG71 X5 Z5 D1 H2", "G137 C0\nG132 Z5 L60", "G137 C0\nG34 Z5", "G137 C0\nG00 G76 Z5 L1",
     "G137 C0\nG35",
+    // Cycles that go in no plane, and in the mode of a cycle.
+    "G137 C0\nG190 X30 Z5 K1 D1 E5", "G137 C0\nG181 X30 Z5 I1", "G137 C0\nG74 Z5 D1", "G137 C0\nG73 X5 D1", "G137 C0\nG95 G185 X5 Z5 F1 SA=5",
+    "G137 C0\nG77 X5 Z5 K1", "G137 C0\nG189 X30 Y40 R-5 K1\nI1 Y30", "G181 X50 R-5 K1\nG137 C0", "G137 C0\nG181 X30 Y40 R-5 K1\nG136",
+    "G137 C0\nG181 X30 Y40 R-5 K1 Q2\nG180\nG00 X5 Z50",
     // A motion code in the block of G137.
     "G137 C0 G00", "G00 G137 C90", "G01 G137 C0", "G137 C0 G101", "G132 G137 C0", "G137 G33 C5",
     // Compensation.

@@ -94,8 +94,7 @@ pub(super) const TEXTS: &[(Fault, &[&str])] = &[
         "NQ1 G81\nG91 G00 X#-30 Z#-1\nG01 X#4 Z#-1\nX#-2\nZ#-1\nX#2\nZ#-1\nX#-2\nZ#-1\nX#2\nZ#-1\nX#-2\nZ#-1\nX#2\nZ#-1\nX#-2\nZ#-1\nX#2\nZ#-1\nX#-2\nZ#-1\nX#2\nZ#-1\nX#-2\nZ#-1\nX#2\nZ#-1\nX#-2\nZ#-1\nX#2\nZ#-1\nX#-2\nZ#-1\nX#2\nZ#-1\nX#-2\nZ#-1\nX#2\nZ#-1\nX#-2\nZ#-1\nX#2\nZ#-1\nX#-2\nZ#-1\nG90 G80\nG85 NQ1 D#5",
     ]),
     (Fault::WordMissing, &[
-        "~\nG85 NQ1", "~\nG86 NQ1 F1", "~\nG88 NQ1 H#1", "~\nG88 NQ1 D#1", "~\nG85 NQ1 D#1 G84", "~\nG85 NQ1 D#1 G84 XA=@-4 DB=#1",
-        "~\nG85 NQ1 D#1 G84 XB=@-4 FA=1",
+        "~\nG85 NQ1", "~\nG86 NQ1 F1", "~\nG88 NQ1 H#1", "~\nG88 NQ1 D#1",
     ]),
     (Fault::WordWithoutFunction, &[
         "~\nG85 NQ1 D#1 S100", "~\nG86 NQ1 D#1 T0101", "~\nG86 NQ1 D#1 M08", "~\nG85 NQ1 D#1 G90", "~\nG86 NQ1 D#1 G84", "~\nG87 NQ1 D#1", "~\nG87 NQ1 M85",

@@ -25,7 +25,7 @@ const SADDLES: &[(Fault, &[&str])] = &[
         "G50 X5 S100", "M05 T0101", "M03 X99999999",
     ]),
     (Fault::Unspecified, &[
-        "M110", "G00 X5 M110", "M110 M110", "V1=5", "X=V1", "G00 X=V001+5", "VZOFX=5", "Z=VSIOZ", "AB=1", "X=ABC", "GOTO N1",
+        "M110", "G00 X5 M110", "M110 M110", "V1=5", "X=V1", "G00 X=V001+5", "VZOFX=5", "Z=VSIOZ", "GOTO N1",
         "IF [1] N1", "CALL O1", "RTS", "MODIN O1", "MODOUT", "READ 0", "PUT 'A'", "GET 5", "WRITE 0", "NOEX AB=1", "END",
         "VSET V1=5", "PSELECT A", "VUACM[1]='A'", "VTOFX[1]=5", "X=VTOFX[V1]", "VDOUT[1]=1",
     ]),

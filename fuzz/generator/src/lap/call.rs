@@ -133,7 +133,10 @@ impl Builder<'_, '_, '_> {
                 continue;
             }
             let height = if on_level { place.start[0] - passes * step } else { place.start[0] * tenths / 10 };
-            items.push(self.length(names[0], place.level(height)).0);
+            // A point that is not given changes nothing, whatever words of it there are.
+            if !self.choices.chance(8) {
+                items.push(self.length(names[0], place.level(height)).0);
+            }
             if self.choices.chance(60) {
                 let other = self.choices.pick(&[step / 2, step * 2, step * 3 / 4]);
                 items.push(self.length(names[1], other.max(100_000)).0);

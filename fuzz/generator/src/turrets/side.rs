@@ -16,7 +16,6 @@ const REFUSED: &[Feature] = &[
     Feature::Communication,
     Feature::ControlStatement,
     Feature::InputOutput,
-    Feature::LocalVariable,
     Feature::MacroCode,
     Feature::ModalCall,
     Feature::Schedule,

@@ -52,11 +52,8 @@ impl Interpreter<'_> {
         }
         if change != Change::None && one_shot != OneShot::TorqueSkip {
             let in_plane = moves && plane.is_moved_by(words, self.state.contour.converts());
-            if change == Change::Begins && (!in_plane || left_over) {
-                return Err(undefined(rules::CRC_14, "start_up"));
-            }
-            if !in_plane {
-                return Err(undefined(rules::CRC_14, "cancel"));
+            if !in_plane || change == Change::Begins && left_over {
+                return Err(undefined(rules::CRC_14, change.detail()));
             }
         }
         Ok(())

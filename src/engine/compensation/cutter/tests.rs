@@ -214,8 +214,8 @@ fn codes_and_words_that_are_refused() {
     face("G42 G04 F1", "alarm name=unspecified detail=start_up line=5 +CRC-14");
     face("G42 G01 X100\nC90\nG40 Z10", "alarm name=unspecified detail=cancel line=7 +CRC-14");
     face("G42 G01 X100\nC90\nG40", "alarm name=unspecified detail=cancel line=7 +CRC-14");
-    face("G42 G103 C90 L100", "alarm name=compensation_not_linear line=5 +NRC-19");
-    face("G42 G01 X100\nC90\nG40 G102 C0 L100", "alarm name=compensation_not_linear line=7 +NRC-72");
+    face("G42 G103 C90 L100", "alarm name=unspecified detail=start_up line=5 +CRC-14");
+    face("G42 G01 X100\nC90\nG40 G102 C0 L100", "alarm name=unspecified detail=cancel line=7 +CRC-14");
     face("G42 G01 X100 I5", "alarm name=word_without_function detail=I line=5 +ADDR-01");
     face("G42 G01 X100\nG18 C90", "alarm name=plane_change_in_compensation line=6 +CRC-13");
     face("G42 G01 X100\nC90 M109", "alarm name=unspecified detail=M109 line=6 +CRC-14");
