@@ -10,8 +10,10 @@ KNOWN_PARAMETERS = {"chamfering", "circular_radius_tolerance"}
 class Setup:
     def __init__(self, table):
         parameters = table.get("parameters", {})
-        if set(table) - KNOWN or set(parameters) - KNOWN_PARAMETERS:
-            raise Unsupported("set-up")
+        unknown = sorted(set(table) - KNOWN)
+        unknown += [f"parameters.{key}" for key in sorted(set(parameters) - KNOWN_PARAMETERS)]
+        if unknown:
+            raise Unsupported(f"set-up: {unknown[0]}")
         self.table = table
         self.start = pair_of(table.get("start", {}))
         self.chamfering = parameters.get("chamfering", "any_angle")

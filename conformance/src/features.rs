@@ -114,8 +114,7 @@ criteria! {
     TwoSaddles "a machine of type `2S` in the set-up" |has| has.setup.machine.r#type == MachineType::TwoSaddles;
     TwoTurrets "a machine of type `1S-2T` in the set-up; M100; a rule of MIRR, M100" |has|
         has.setup.machine.r#type == MachineType::TwoTurrets || has.m(&[100]) || has.area(&["MIRR", "M100"]);
-    Units "another unit system than `1mm` in the set-up; G20, G21" |has|
-        has.setup.unit_system != UnitSystem::Millimetre || has.g(&[20, 21]);
+    Units "another unit system than `1mm` in the set-up" |has| has.setup.unit_system != UnitSystem::Millimetre;
     UserAlarm "a rule of VUACM" |has| has.area(&["VUACM"]);
     Variable "a variable with a number; variables in the set-up" |has| has.words.variable
         || !has.setup.variables.is_empty();

@@ -12,7 +12,8 @@
 //! main program), `task` (expressions, variables, data communication, and the programs that run within each other),
 //! `modal` (codes and modes), `turret` (two turrets on one saddle), `saddle` (two saddles), `path` (motion), `thread`
 //! (thread cutting), `cycle` (grooving, drilling and tapping, driven tools), `contour` (contours with the C axis,
-//! coordinate conversion), `lap` (lathe auto-programming), `barrier` (areas to keep out of), `compensation` (nose radius),
+//! coordinate conversion), `lap` (lathe auto-programming), `barrier` (areas to keep out of), `compensation` (nose and cutter
+//! radius),
 //! `frame` (machine coordinates and
 //! limits); `controls` holds the tables, `integer`, `quantity` and `real` the numbers.
 

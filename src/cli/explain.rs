@@ -25,7 +25,7 @@ use super::{ColorChoice, Failure, Verdict, exit_status, setup_help};
 /// modes in force are shown on standard error. The reference implementation runs.
 #[derive(clap::Args)]
 #[command(after_help = concat!(
-    "Examples:\n  turnspec explain shaft.min\n  turnspec explain shaft.min --block N010\n  \
+    "Examples:\n  turnspec explain shaft.min\n  turnspec explain shaft.min --block N110\n  \
      turnspec explain shaft.min --block 12\n\n",
     setup_help!(), "\n\n", exit_status!()
 ))]

@@ -45,8 +45,8 @@ use crate::tape;
 /// | the names of definitions | `sequence-name` |
 /// | other words of cycles and their parameters | `grooving`, `driven-cycle` |
 ///
-/// Schedule programs occur only with every feature allowed. M02 and M30 are always there. Readings other than the default ones occur with every feature allowed, or on
-/// request.
+/// Schedule programs occur only with every feature allowed. M02 and M30 are always there. Readings other than the default ones occur with every feature
+/// allowed.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Profile {
     features: Features,
@@ -65,12 +65,6 @@ impl Profile {
     pub fn of(features: &[Feature]) -> Self {
         let features = Features::of(features);
         Self { features, readings: features == Self::FULL.features, machine: MachineType::OneTurret }
-    }
-
-    /// The same features, with set-ups of any readings.
-    #[must_use]
-    pub fn with_readings(self) -> Self {
-        Self { readings: true, ..self }
     }
 
     /// The same without some features.
