@@ -423,3 +423,88 @@ fn a_folder_with_something_else_is_left_alone() {
     assert!(stderr.contains("not empty and no former bundle"), "{stderr}");
     assert!(before == contents(&folder.out()));
 }
+
+/// A manifest alone makes no bundle, whatever it says.
+#[test]
+fn a_foreign_folder_with_a_manifest_is_left_alone() {
+    let folder = Folder::tree("foreign");
+    let digest = "b5bb9d8014a0f9b1d61e21e796d78dccdf1352f23cd32812f4850b878ae4944c";
+    for name in ["thesis.txt", "index.html"] {
+        fs::create_dir(folder.out()).unwrap();
+        fs::write(folder.out().join(name), "foo\n").unwrap();
+        fs::write(folder.out().join("MANIFEST.sha256"), format!("{digest}  {name}\n")).unwrap();
+        let before = contents(&folder.out());
+        let (status, stderr) = folder.audit();
+        assert_eq!(status, 2, "{stderr}");
+        assert!(stderr.contains("no former bundle"), "{stderr}");
+        assert!(before == contents(&folder.out()));
+        fs::remove_dir_all(folder.out()).unwrap();
+    }
+}
+
+#[test]
+fn an_altered_bundle_is_left_alone() {
+    let folder = Folder::tree("altered");
+    folder.audit();
+    let page = folder.out().join("index.html");
+    fs::write(&page, folder.read("index.html") + "<!-- seen, 3 May -->").unwrap();
+    let before = contents(&folder.out());
+    let (status, stderr) = folder.audit();
+    assert_eq!(status, 2, "{stderr}");
+    assert!(stderr.contains("its files are not those of its manifest"), "{stderr}");
+    assert!(before == contents(&folder.out()));
+    fs::remove_file(&page).unwrap();
+    assert_eq!(folder.audit().0, 2, "a bundle with a file missing");
+}
+
+#[test]
+fn a_link_to_a_folder_stands_for_the_folder() {
+    let folder = Folder::tree("link");
+    let (link, real) = (folder.0.join("bundle"), folder.0.join("real"));
+    std::os::unix::fs::symlink(&real, &link).unwrap();
+    let (status, stderr) = folder.audit();
+    assert_eq!(status, 2, "{stderr}");
+    assert!(stderr.contains("a link that leads nowhere"), "{stderr}");
+    fs::create_dir(&real).unwrap();
+    for _ in 0..2 {
+        let (status, stderr) = folder.audit();
+        assert!(status < 2, "{stderr}");
+        assert!(link.is_symlink() && real.join("MANIFEST.sha256").is_file());
+    }
+    let beside = fs::read_dir(&folder.0).unwrap().count();
+    assert_eq!(beside, 3, "a temporary folder was left");
+}
+
+#[test]
+fn a_place_for_no_folder_is_refused() {
+    let folder = Folder::tree("place");
+    let here = folder.0.join("here");
+    fs::create_dir(&here).unwrap();
+    fs::write(folder.0.join("file"), "").unwrap();
+    let root = folder.root();
+    for (out, because) in [
+        (".", "the current folder"),
+        ("../here", "the current folder"),
+        ("../file/bundle", "no folder"),
+        ("missing/..", "no name"),
+    ] {
+        let (status, stderr) = audit(&["--root", root.to_str().unwrap(), "--out", out], &here);
+        assert_eq!(status, 2, "{out}: {stderr}");
+        assert!(stderr.contains(because), "{out}: {stderr}");
+    }
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_name_that_is_not_utf_8_is_told() {
+    use std::os::unix::ffi::OsStrExt;
+    let folder = Folder::tree("name");
+    folder.commit();
+    fs::write(folder.root().join(std::ffi::OsStr::from_bytes(b"caf\xE9.txt")), "").unwrap();
+    let (status, stderr) = folder.audit();
+    assert_eq!(status, 1, "{stderr}");
+    assert!(stderr.contains("dirty") && stderr.contains("?? caf\u{FFFD}.txt"), "{stderr}");
+    fs::remove_dir_all(folder.out()).unwrap();
+    folder.git(&["add", "--all"]);
+    refused(&folder, &["caf\u{FFFD}.txt", "not UTF-8"]);
+}

@@ -97,27 +97,121 @@ fn the_number_of_jobs_changes_nothing_and_the_finding_is_a_case() {
 
 #[test]
 fn an_interrupted_campaign_comes_to_the_same_end() {
-    let (whole, parts) = (Scratch::new("whole"), Scratch::new("parts"));
+    let whole = Scratch::new("whole");
     let bug = with_a_bug();
     let common = ["--impl", &bug, "--runs", "256"];
     let (_, expected, _) = run(&[&common[..], &["--out", whole.path()]].concat());
-    let mut child = fuzz(&[&common[..], &["--out", parts.path()]].concat())
-        .stdout(Stdio::null())
-        .stderr(Stdio::null())
-        .spawn()
-        .unwrap();
+    for signal in ["-KILL", "-INT"] {
+        let parts = Scratch::new(&format!("parts{signal}"));
+        interrupted(&[&common[..], &["--out", parts.path()]].concat(), &parts, signal);
+        let (_, resumed, stderr) = run(&[&common[..], &["--out", parts.path()]].concat());
+        assert_eq!(stderr, "");
+        assert_eq!(fs::read(whole.state()).unwrap(), fs::read(parts.state()).unwrap());
+        assert_eq!(resumed.replace(parts.path(), whole.path()), expected);
+    }
+}
+
+/// Begins a campaign of 256 runs and ends it by a signal as soon as there is a state.
+fn interrupted(arguments: &[&str], parts: &Scratch, signal: &str) {
+    let mut child = fuzz(arguments).stdout(Stdio::null()).stderr(Stdio::null()).spawn().unwrap();
     let start = Instant::now();
     while !parts.state().exists() && start.elapsed() < Duration::from_secs(120) {
         thread::sleep(Duration::from_millis(5));
     }
-    child.kill().unwrap();
+    send(signal, child.id());
     child.wait().unwrap();
     let done = json(&parts.state())["done"].as_u64().unwrap();
-    assert!((64..256).contains(&done), "{done} programs were run");
-    let (_, resumed, stderr) = run(&[&common[..], &["--out", parts.path()]].concat());
-    assert_eq!(stderr, "");
-    assert_eq!(json(&whole.state()), json(&parts.state()));
-    assert_eq!(resumed.replace(parts.path(), whole.path()), expected);
+    assert!((1..256).contains(&done), "{done} programs were run");
+}
+
+fn send(signal: &str, id: u32) {
+    let status = Command::new("kill").args([signal, &id.to_string()]).status().unwrap();
+    assert!(status.success());
+}
+
+/// An implementation that hangs at its seventh program until it is let go.
+#[test]
+fn an_interruption_keeps_what_was_finished_and_says_so() {
+    let (scratch, files) = (Scratch::new("finished"), Scratch::new("hanging"));
+    fs::create_dir_all(&files.0).unwrap();
+    let script = format!(
+        "cd {}; echo >> calls; [ $(wc -l < calls) -gt 6 ] && [ ! -e go ] && exec sleep 1000; exec {TURNSPEC} answer",
+        files.path()
+    );
+    let command = format!("sh -c '{script}'");
+    let campaign =
+        |more: &[&str]| fuzz(&[&["--impl", &command, "--runs", "10", "--timeout", "600"], more].concat());
+    let interrupt = |more: &[&str]| {
+        let _ = fs::remove_file(files.0.join("calls"));
+        let child = campaign(&[&["--jobs", "1"], more].concat()).stderr(Stdio::piped()).spawn().unwrap();
+        let calls = || fs::read_to_string(files.0.join("calls")).unwrap_or_default().lines().count();
+        let start = Instant::now();
+        while calls() < 7 && start.elapsed() < Duration::from_secs(120) {
+            thread::sleep(Duration::from_millis(5));
+        }
+        send("-INT", child.id());
+        let output = child.wait_with_output().unwrap();
+        (output.status.code(), String::from_utf8(output.stderr).unwrap())
+    };
+    let (status, stderr) = interrupt(&[]);
+    assert_eq!(status, Some(2));
+    assert!(stderr.contains("interrupted after 6 programs; without --out nothing is kept"), "{stderr}");
+    let (status, stderr) = interrupt(&["--out", scratch.path()]);
+    assert_eq!(status, Some(2));
+    assert!(stderr.contains("interrupted; 6 programs are kept in "), "{stderr}");
+    assert_eq!(json(&scratch.state())["done"], 6);
+    fs::write(files.0.join("go"), "").unwrap();
+    let output = campaign(&["--out", scratch.path()]).output().unwrap();
+    assert!(output.stdout.starts_with(b"10 programs: "), "{output:?}");
+}
+
+/// Every program ends in one of many crashes; one reduction takes 500 runs at most.
+#[test]
+fn after_the_last_finding_that_is_wanted_nothing_is_reduced() {
+    let files = Scratch::new("wanted");
+    fs::create_dir_all(&files.0).unwrap();
+    let script = format!("echo >> {}/calls; exit $((10 + $(cksum | cut -d\" \" -f1) % 90))", files.path());
+    let (status, stdout, _) = run(&[
+        "--impl",
+        &format!("sh -c '{script}'"),
+        "--runs",
+        "1000",
+        "--jobs",
+        "1",
+        "--max-findings",
+        "1",
+    ]);
+    assert_eq!(status, Some(1));
+    assert!(stdout.starts_with("1 programs: 0 agree, 1 disagree"), "{stdout}");
+    let calls = fs::read_to_string(files.0.join("calls")).unwrap().lines().count();
+    assert!(calls <= 504, "{calls} runs");
+}
+
+#[test]
+fn control_characters_of_an_implementation_are_escaped() {
+    for script in [
+        r#"cat >/dev/null; printf "%s\n" "{\"kind\":\"a\\u001b[31m\"}""#,
+        r#"cat >/dev/null; printf "a\033[31m\n" >&2; exit 7"#,
+    ] {
+        let command = format!("sh -c '{script}'");
+        let (status, stdout, _) = run(&["--impl", &command, "--runs", "20", "--max-findings", "1"]);
+        assert_eq!(status, Some(1));
+        assert!(!stdout.contains('\u{1b}'), "{script}: {stdout:?}");
+        assert!(stdout.contains("a\\u{1b}[31m"), "{script}: {stdout}");
+    }
+}
+
+#[test]
+fn a_case_that_is_gone_is_written_again() {
+    let scratch = Scratch::new("gone");
+    let command = "sh -c 'cat >/dev/null; exit 7'";
+    let campaign = || run(&["--impl", command, "--runs", "2", "--out", scratch.path()]);
+    let (_, first, _) = campaign();
+    let case = scratch.0.join("seed-1-run-0.json");
+    let text = fs::read(&case).unwrap();
+    fs::remove_file(&case).unwrap();
+    assert_eq!(campaign().1, first);
+    assert!(fs::read(&case).unwrap() == text);
 }
 
 #[test]

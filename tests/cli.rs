@@ -481,6 +481,21 @@ fn plot_draws_up_to_an_alarm() {
     assert!(outcome.stderr.contains("/no/such/folder/a.svg"), "{}", outcome.stderr);
 }
 
+/// Past its most motions the program is not run on: here it would go on for longer than its limit of steps.
+#[test]
+fn plot_stops_at_its_most_motions() {
+    let program =
+        Scratch::new("motions.min", format!("N1 X1\n{}GOTO N1\n", "X2\nX1\n".repeat(500)).as_bytes());
+    let setup = Scratch::new("motions.toml", b"[limits]\nsteps = 110000\n");
+    let outcome = turnspec(&["plot", "--setup", setup.path(), program.path()]);
+    assert_eq!(outcome.status, 0, "{}", outcome.stderr);
+    assert!(
+        outcome.stderr.contains("more than 100000 motions; the run was stopped there"),
+        "{}",
+        outcome.stderr
+    );
+}
+
 #[test]
 fn explain_shows_where_the_saddles_wait() {
     let program = Scratch::new("saddles.min", b"G13\nG00 X10 P20\nG14\nG01 X20\nM02\n");
@@ -583,6 +598,15 @@ fn coverage_adds_up() {
     assert!(not_cited.contains(&"E100L-CIRC-01".to_owned()));
     let text = turnspec(&["rules", "--area", "CIRC", "--coverage", TURN]);
     assert!(text.stdout.lines().last().unwrap().starts_with("0 of "), "{}", text.stdout);
+}
+
+/// By its file name, as `run` does.
+#[test]
+fn coverage_knows_a_schedule_program() {
+    let folder = Folder::new("schedule", &[("day.SDF", "PSELECT A.MIN\nEND\n")]);
+    let outcome = turnspec(&["rules", "--area", "SDF", "--coverage", &folder.path("day.SDF")]);
+    assert_eq!(outcome.status, 0, "{}", outcome.stderr);
+    assert!(outcome.stdout.starts_with("cited\n  E100L-SDF-07 "), "{}", outcome.stdout);
 }
 
 #[test]

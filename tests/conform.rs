@@ -201,6 +201,17 @@ fn what_the_caller_got_wrong_is_said_at_once() {
 }
 
 #[test]
+fn a_report_that_cannot_be_written_does_not_keep_others_from_it() {
+    let (json, html) = (Scratch::new("kept.json"), Scratch::new("kept.html"));
+    let answer = format!("{TURNSPEC} answer");
+    let reports = ["--junit", "/nonexistent/a.xml", "--json", json.path(), "--html", html.path()];
+    let (status, stdout, stderr) = conform(&[&["--impl", &answer, "--filter", ONE], &reports[..]].concat());
+    assert_eq!(status, 2, "{stderr}");
+    assert!(stderr.contains("/nonexistent/a.xml") && stdout.contains("1 pass"), "{stdout}{stderr}");
+    assert!(json.text().starts_with('{') && html.text().starts_with("<!DOCTYPE html>"));
+}
+
+#[test]
 fn undeclared_features_are_skipped() {
     let declaration =
         Scratch::with("little.toml", "name = 'little'\nfeatures = ['rapid']\nundecided = 'alarm'\n");
@@ -213,8 +224,25 @@ fn undeclared_features_are_skipped() {
     );
 }
 
+/// Ctrl-C, a request to end, the end of the terminal.
 #[test]
-fn ctrl_c_leaves_no_process_behind() {
+fn an_interruption_leaves_no_process_behind() {
+    for signal in ["-INT", "-TERM"] {
+        leaves_no_process_behind(signal);
+    }
+    // Below `nohup` the end of the terminal is ignored, by our child too.
+    if !hang_up_is_ignored() {
+        leaves_no_process_behind("-HUP");
+    }
+}
+
+fn hang_up_is_ignored() -> bool {
+    let status = fs::read_to_string("/proc/self/status").unwrap_or_default();
+    let mask = status.lines().find_map(|line| line.strip_prefix("SigIgn:")).unwrap_or("0");
+    u64::from_str_radix(mask.trim(), 16).is_ok_and(|mask| mask & 1 == 1)
+}
+
+fn leaves_no_process_behind(signal: &str) {
     let note = Scratch::new("note");
     let command = shell(&format!("echo $$ >> {}; exec sleep 1000", note.path()));
     let mut child = turnspec(&["conform", "--impl", &command, "--timeout", "60", "--jobs", "2"])
@@ -226,14 +254,14 @@ fn ctrl_c_leaves_no_process_behind() {
     while note.text().lines().count() < 2 && start.elapsed() < Duration::from_secs(20) {
         thread::sleep(Duration::from_millis(20));
     }
-    let killed = Command::new("kill").args(["-INT", &child.id().to_string()]).status().expect("kill starts");
+    let killed = Command::new("kill").args([signal, &child.id().to_string()]).status().expect("kill starts");
     assert!(killed.success());
     assert_eq!(child.wait().expect("turnspec ends").code(), Some(2));
     assert!(start.elapsed() < Duration::from_secs(40));
     for id in note.text().lines() {
         let alive =
             Command::new("kill").args(["-0", id]).stderr(Stdio::null()).status().expect("kill starts");
-        assert!(!alive.success(), "process {id} is alive");
+        assert!(!alive.success(), "{signal}: process {id} is alive");
     }
 }
 

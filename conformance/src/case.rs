@@ -10,7 +10,7 @@ use crate::{Figure, Flag, bytes_of_text};
 /// One conformance case.
 #[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, expecting = "a case: a JSON object")]
 pub struct Case {
     /// Permanent name: `e100l/s3-g75-anyangle`, or, of an example in a rule's text, the rule and the number of
     /// the example: `e100l/rules/E100L-G50-02/1`.

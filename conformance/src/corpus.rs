@@ -3,7 +3,7 @@
 //! A folder with an `index.json` is read as the index says, so that one that was copied or written in part is
 //! noticed. In any other folder every file must be a file of cases.
 
-use std::collections::BTreeSet;
+use std::collections::BTreeMap;
 use std::fmt;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -158,11 +158,11 @@ pub fn embedded_paths() -> impl Iterator<Item = &'static str> {
 /// # Errors
 /// When a file of it is malformed.
 pub fn embedded() -> Result<Vec<Exercise>, CorpusError> {
-    let mut exercises = Vec::new();
+    let mut files = Vec::new();
     for (path, text) in EMBEDDED {
-        exercises.append(&mut cases_of(path, text)?);
+        files.push(((*path).to_owned(), cases_of(path, text)?));
     }
-    distinct(exercises)
+    distinct(files)
 }
 
 /// The corpus in a file or a folder.
@@ -179,14 +179,15 @@ pub fn read(path: &Path) -> Result<Vec<Exercise>, CorpusError> {
     };
     let mut exercises = Vec::new();
     for (file, count) in files {
-        let mut found = cases_of(&file.display().to_string(), &text_of(&file)?)?;
+        let place = file.display().to_string();
+        let found = cases_of(&place, &text_of(&file)?)?;
         if let Some(count) = count.filter(|count| *count != found.len()) {
             let reason = format!("{} cases, but the index says {count}", found.len());
             return Err(CorpusError::new(file.display(), reason));
         }
-        exercises.append(&mut found);
+        exercises.push((place, found));
     }
-    if exercises.is_empty() {
+    if exercises.iter().all(|(_, found)| found.is_empty()) {
         return Err(CorpusError::new(path.display(), "no cases"));
     }
     distinct(exercises)
@@ -197,6 +198,7 @@ fn indexed(folder: &Path) -> Result<Vec<(PathBuf, Option<usize>)>, CorpusError> 
     let path = folder.join(INDEX);
     let place = path.display().to_string();
     let text = text_of(&path)?;
+    check_object(&place, &text, "an index: a JSON object with `format` and `files`")?;
     check_format(&place, parse::<Head>(&place, &text)?.format.as_deref())?;
     let index: CorpusIndex = parse(&place, &text)?;
     let named: Vec<(PathBuf, Option<usize>)> =
@@ -247,6 +249,7 @@ struct Head {
 
 /// The cases of a file: many with a format, or a single one.
 fn cases_of(place: &str, text: &str) -> Result<Vec<Exercise>, CorpusError> {
+    check_object(place, text, "a case, or a JSON object with `format` and `cases`")?;
     let head: Head = parse(place, text)?;
     let cases = if head.format.is_none() && head.cases.is_none() {
         vec![parse::<Case>(place, text)?]
@@ -259,6 +262,14 @@ fn cases_of(place: &str, text: &str) -> Result<Vec<Exercise>, CorpusError> {
         Exercise::new(case).map_err(|reason| CorpusError::new(place, format!("case {id}: {reason}")))
     };
     cases.into_iter().map(ready).collect()
+}
+
+/// Whether a text begins as an object does; an empty one is left to the parser.
+fn check_object(place: &str, text: &str, expected: &str) -> Result<(), CorpusError> {
+    match text.trim_start().chars().next() {
+        None | Some('{') => Ok(()),
+        Some(_) => Err(CorpusError::new(place, format!("this is not {expected}"))),
+    }
 }
 
 fn parse<T: DeserializeOwned>(place: &str, text: &str) -> Result<T, CorpusError> {
@@ -296,10 +307,20 @@ fn version(text: &str) -> Option<(u64, u64)> {
     }
 }
 
-fn distinct(exercises: Vec<Exercise>) -> Result<Vec<Exercise>, CorpusError> {
-    let mut ids = BTreeSet::new();
-    match exercises.iter().find(|each| !ids.insert(each.case.id.as_str())) {
-        Some(twice) => Err(CorpusError::new(&twice.case.id, "two cases with this id")),
-        None => Ok(exercises),
+/// The cases of some files, each of which has an id of its own.
+fn distinct(files: Vec<(String, Vec<Exercise>)>) -> Result<Vec<Exercise>, CorpusError> {
+    let mut places: BTreeMap<&str, &str> = BTreeMap::new();
+    let cases = files.iter().flat_map(|(place, exercises)| exercises.iter().map(move |each| (place, each)));
+    for (place, exercise) in cases {
+        let id = exercise.case.id.as_str();
+        if let Some(first) = places.insert(id, place) {
+            let reason = if first == place {
+                format!("two cases with the id {id}")
+            } else {
+                format!("case {id}: {first} has a case with this id, too")
+            };
+            return Err(CorpusError::new(place, reason));
+        }
     }
+    Ok(files.into_iter().flat_map(|(_, exercises)| exercises).collect())
 }

@@ -52,7 +52,7 @@ pub use features::{CRITERIA, Criterion, features_of};
 pub use figure::Figure;
 pub use files::cases;
 pub use observation::{Observation, printable};
-pub use parallel::in_parallel;
+pub use parallel::{finished_in_parallel, in_parallel};
 pub use process::{Exit, Implementation, Outcome, RunError};
 pub use runner::Runner;
 #[cfg(feature = "schema")]

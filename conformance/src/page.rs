@@ -56,10 +56,17 @@ pub fn page(title: &str, body: &Markup) -> String {
     page_with(title, STYLE, body)
 }
 
-/// A page with a title, a look of its own and a body.
+/// Text with a replacement for each character that XML forbids, and a page had better not have either.
+#[must_use]
+pub fn permitted(text: &str) -> String {
+    let permitted = |each: char| matches!(each, '\t' | '\n' | '\r' | ' '..='\u{FFFD}' | '\u{10000}'..);
+    text.chars().map(|each| if permitted(each) { each } else { char::REPLACEMENT_CHARACTER }).collect()
+}
+
+/// A page with a title, a look of its own and a body. Characters that are not [`permitted`] are replaced.
 #[must_use]
 pub fn page_with(title: &str, style: &str, body: &Markup) -> String {
-    html! {
+    let page = html! {
         (DOCTYPE)
         html lang="en" {
             head {
@@ -70,8 +77,8 @@ pub fn page_with(title: &str, style: &str, body: &Markup) -> String {
             }
             body { (body) }
         }
-    }
-    .into_string()
+    };
+    permitted(&page.into_string())
 }
 
 #[cfg(test)]
@@ -82,9 +89,9 @@ mod tests {
 
     #[test]
     fn text_is_escaped_and_nothing_is_loaded() {
-        let text = page("<title>", &html! { p { "a <script> & more" } });
+        let text = page("<title>", &html! { p { "a <script> & more\u{1}" } });
         assert!(text.starts_with("<!DOCTYPE html>") && text.contains("&lt;title&gt;"));
-        assert!(text.contains("a &lt;script&gt; &amp; more"));
+        assert!(text.contains("a &lt;script&gt; &amp; more\u{FFFD}</p>"));
         let prose = prose("a `G01` <b>\n\n| x |").into_string();
         assert_eq!(prose, "<p>a <code>G01</code> &lt;b&gt;</p><pre>| x |</pre>");
         for foreign in ["<script", "http:", "https:", "url(", "@import", "src="] {

@@ -12,6 +12,19 @@ pub fn in_parallel<T: Sync, R: Send, E: Send>(
     items: &[T],
     work: impl Fn(&T) -> Result<R, E> + Sync,
 ) -> Result<Vec<R>, E> {
+    match finished_in_parallel(jobs, items, work) {
+        (results, None) => Ok(results),
+        (_, Some(error)) => Err(error),
+    }
+}
+
+/// The results of some work on each item, in the order of the items, up to the first item that was found to fail, and
+/// its error; the threads stop at it.
+pub fn finished_in_parallel<T: Sync, R: Send, E: Send>(
+    jobs: usize,
+    items: &[T],
+    work: impl Fn(&T) -> Result<R, E> + Sync,
+) -> (Vec<R>, Option<E>) {
     let next = AtomicUsize::new(0);
     let has_failed = AtomicBool::new(false);
     let results = Mutex::new(Vec::with_capacity(items.len()));
@@ -31,13 +44,21 @@ pub fn in_parallel<T: Sync, R: Send, E: Send>(
         }
     });
     let mut results = results.into_inner().unwrap_or_else(PoisonError::into_inner);
+    // Places are given out in order, and whoever takes one leaves a result: there is no gap.
     results.sort_by_key(|(place, _)| *place);
-    results.into_iter().map(|(_, result)| result).collect()
+    let mut finished = Vec::with_capacity(results.len());
+    for (_, result) in results {
+        match result {
+            Ok(result) => finished.push(result),
+            Err(error) => return (finished, Some(error)),
+        }
+    }
+    (finished, None)
 }
 
 #[cfg(test)]
 mod tests {
-    use super::in_parallel;
+    use super::{finished_in_parallel, in_parallel};
 
     #[test]
     fn results_are_in_order_whatever_the_number_of_threads() {
@@ -54,5 +75,6 @@ mod tests {
         let items: Vec<u64> = (0..200).collect();
         let work = |item: &u64| if *item == 7 { Err(*item) } else { Ok(*item) };
         assert_eq!(in_parallel(3, &items, work), Err(7));
+        assert_eq!(finished_in_parallel(3, &items, work), ((0..7).collect(), Some(7)));
     }
 }

@@ -158,7 +158,7 @@ impl Implementation {
         command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
         let child = command.spawn().map_err(|error| RunError::Start(format!("{}: {error}", self.program)))?;
         let leader = Pid::from_child(&child);
-        Ok(Group { child, leader })
+        Ok(Group { child, leader, collected: false })
     }
 
     fn watch(&self, group: &mut Group, pipes: &mut Pipes, start: Instant) -> Result<Exit, RunError> {
@@ -196,6 +196,8 @@ impl Implementation {
 struct Group {
     child: Child,
     leader: Pid,
+    /// Whether the first process has been collected: its id may belong to somebody else by now.
+    collected: bool,
 }
 
 impl Group {
@@ -209,15 +211,54 @@ impl Group {
     fn end(&mut self) -> io::Result<ExitStatus> {
         // The group is gone when nobody is left in it.
         let _ = kill_process_group(self.leader, Signal::KILL);
+        self.collected = true;
         self.child.wait()
     }
 }
 
 impl Drop for Group {
     fn drop(&mut self) {
-        // Collected processes have been ended before: their id may belong to somebody else by now.
-        if let Ok(None) = self.child.try_wait() {
+        // Also when the first process has ended by itself: those that it started may be alive.
+        if !self.collected {
             let _ = self.end();
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::fs;
+    use std::thread;
+    use std::time::Duration;
+
+    use super::Implementation;
+
+    /// Whether a process is alive; one that nobody collects counts as dead.
+    fn is_alive(id: &str) -> bool {
+        let state = fs::read_to_string(format!("/proc/{id}/stat")).unwrap_or_default();
+        !matches!(state.rsplit(") ").next().and_then(|rest| rest.chars().next()), None | Some('Z' | 'X'))
+    }
+
+    /// Waits some seconds for a condition.
+    fn soon(condition: impl Fn() -> bool) -> bool {
+        (0..500).any(|_| {
+            thread::sleep(Duration::from_millis(10));
+            condition()
+        })
+    }
+
+    /// What happens after a flood, at the end of the time and at an interrupt, when the program has just ended.
+    #[test]
+    fn a_group_whose_first_process_has_ended_is_killed() -> Result<(), Box<dyn std::error::Error>> {
+        let note = std::env::temp_dir().join(format!("turnspec-{}-left-behind", std::process::id()));
+        let script = format!("sleep 1000 & echo $! > {}", note.display());
+        let group = Implementation::new(&format!("sh -c '{script}'"))?.start()?;
+        assert!(soon(|| group.has_ended().unwrap_or(false)), "the program ends");
+        let id = fs::read_to_string(&note)?;
+        fs::remove_file(&note)?;
+        assert!(is_alive(id.trim()), "what it started runs on");
+        drop(group);
+        assert!(soon(|| !is_alive(id.trim())), "process {id} is alive");
+        Ok(())
     }
 }

@@ -177,7 +177,7 @@ fn formats_and_fields_are_checked() {
         ("\"setup\":{}", "\"setup\":{\"colour\":1}", &["motion.json", "case e100l/rules/", "colour"]),
         ("\"program\":\"", "\"program\":\"€", &["motion.json", "case e100l/rules/", "U+00FF"]),
         ("\"expect\":[\"", "\"expect\":[\"rapid x ", &["motion.json", "case e100l/rules/", "key=value"]),
-        ("G01-03/2\"", "G01-03/1\"", &["e100l/rules/E100L-G01-03/1: two cases with this id"]),
+        ("G01-03/2\"", "G01-03/1\"", &["motion.json: two cases with the id e100l/rules/E100L-G01-03/1"]),
         ("\"rules\":[\"", "\"rules\":[\"E100L-NO-99\",\"", &["motion.json:4:", "E100L-NO-99"]),
     ] {
         let changed = text.replacen(from, to, 1);
@@ -190,4 +190,25 @@ fn formats_and_fields_are_checked() {
     assert_says(&copy.error(), &["index.json", "newer"]);
     copy.write("index.json", r#"{"format": "0.2.0", "files": [], "more": 1}"#);
     assert_says(&copy.error(), &["index.json", "more"]);
+}
+
+#[test]
+fn an_id_of_two_files_is_told_with_both() {
+    let copy = Copy::new("twice");
+    let _ = fs::remove_file(copy.0.join("index.json"));
+    copy.write("e100l/other.json", &copy.text("e100l/motion.json"));
+    assert_says(&copy.error(), &["other.json: case e100l/", "motion.json has a case with this id"]);
+}
+
+#[test]
+fn what_is_no_object_is_told_in_plain_words() {
+    let copy = Copy::new("object");
+    for text in ["null", "[]", " [null, null]", "rubbish", "1"] {
+        copy.write("e100l/motion.json", text);
+        assert_says(&copy.error(), &["motion.json: this is not a case"]);
+    }
+    copy.write("e100l/motion.json", r#"{"format": "0.2.0", "cases": [null]}"#);
+    assert_says(&copy.error(), &["motion.json:1:", "expected a case: a JSON object"]);
+    copy.write("index.json", "[]");
+    assert_says(&copy.error(), &["index.json: this is not an index"]);
 }

@@ -3,6 +3,7 @@
 
 use std::collections::BTreeMap;
 use std::fs;
+use std::io;
 use std::path::{Path, PathBuf};
 
 use super::{Fault, Tree, digest};
@@ -11,45 +12,107 @@ use super::{Fault, Tree, digest};
 const MANIFEST: &str = "MANIFEST.sha256";
 /// The manifest of the sources.
 pub const SOURCES: &str = "SOURCES.sha256";
+/// Every file of a bundle but its manifest.
+pub const NAMES: [&str; 7] = [
+    "SOURCES.sha256",
+    "index.html",
+    "matrix.csv",
+    "matrix.json",
+    "matrix.schema.json",
+    "sbom.cdx.json",
+    "tools.json",
+];
 
 /// The files of a bundle by their names.
 pub type Files = BTreeMap<&'static str, String>;
+
+/// The folder that is meant: that of a link where there is one, and never the current one.
+///
+/// # Errors
+/// Names the place where no folder can stand.
+pub fn place(out: &Path) -> Result<PathBuf, Fault> {
+    let fault = |reason: &str| Err(Fault::about(out.display(), reason));
+    match out.canonicalize() {
+        Ok(place) if is_current(&place) => {
+            fault("the current folder, which cannot be replaced; name another one, or one in it")
+        }
+        Ok(place) => Ok(place),
+        Err(_) if out.is_symlink() => fault("a link that leads nowhere"),
+        Err(_) if out.ancestors().skip(1).any(is_no_folder) => {
+            fault("it would lie in something that is no folder")
+        }
+        Err(_) if out.file_name().is_none() => fault("no name for a folder"),
+        Err(_) => Ok(out.to_owned()),
+    }
+}
+
+/// Whether it is the current folder: who stands in it would find nothing there afterwards.
+fn is_current(place: &Path) -> bool {
+    let here = std::env::current_dir().and_then(|here| here.canonicalize());
+    here.is_ok_and(|here| here == place)
+}
+
+/// Whether something else than a folder is there.
+fn is_no_folder(place: &Path) -> bool {
+    place.symlink_metadata().is_ok() && !place.is_dir()
+}
 
 /// Refuses a place where something else than a former bundle stands.
 ///
 /// # Errors
 /// Names the place.
 pub fn may_be_written(out: &Path) -> Result<(), Fault> {
-    if !out.exists() || is_bundle(out) {
+    if !out.exists() {
         return Ok(());
     }
-    let empty = fs::read_dir(out).map(|mut entries| entries.next().is_none());
-    match empty {
-        Ok(true) => Ok(()),
-        Ok(false) => Err(Fault::about(out.display(), "not empty and no former bundle; nothing was written")),
-        Err(error) => Err(Fault::about(out.display(), error)),
+    let fault = |error: io::Error| Fault::about(out.display(), error);
+    let entries = fs::read_dir(out).and_then(Iterator::collect::<io::Result<Vec<_>>>).map_err(fault)?;
+    if entries.is_empty() {
+        return Ok(());
     }
+    if !entries.iter().all(is_named_like_ours) {
+        return Err(Fault::about(out.display(), "not empty and no former bundle; nothing was written"));
+    }
+    if is_whole(out).map_err(fault)? {
+        return Ok(());
+    }
+    let reason =
+        "no former bundle as it was written: its files are not those of its manifest; nothing was written";
+    Err(Fault::about(out.display(), reason))
 }
 
-/// Whether a folder holds a bundle and nothing else: the files of its manifest and the manifest.
-fn is_bundle(folder: &Path) -> bool {
-    let Ok(manifest) = fs::read_to_string(folder.join(MANIFEST)) else { return false };
-    let Ok(entries) = fs::read_dir(folder) else { return false };
-    let listed: Vec<&str> =
-        manifest.lines().filter_map(|line| line.split_once("  ")).map(|(_, name)| name).collect();
-    entries.flatten().all(|entry| {
-        let name = entry.file_name();
-        entry.path().is_file() && (name == MANIFEST || listed.iter().any(|listed| name == *listed))
-    })
+/// Whether a file could be one of a bundle by its name.
+fn is_named_like_ours(entry: &fs::DirEntry) -> bool {
+    let name = entry.file_name();
+    let known = NAMES.iter().chain([&MANIFEST]).any(|known| name == *known);
+    known && entry.file_type().is_ok_and(|kind| kind.is_file())
+}
+
+/// Whether a folder has every file of a bundle as its manifest says.
+fn is_whole(folder: &Path) -> io::Result<bool> {
+    if !NAMES.iter().chain([&MANIFEST]).all(|name| folder.join(name).is_file()) {
+        return Ok(false);
+    }
+    let mut manifest = String::new();
+    for name in NAMES {
+        manifest += &line(name, &fs::read(folder.join(name))?);
+    }
+    Ok(fs::read(folder.join(MANIFEST))? == manifest.as_bytes())
+}
+
+/// The line of a file in a manifest, as `sha256sum` writes it.
+fn line(name: &str, bytes: &[u8]) -> String {
+    format!("{}  {name}\n", digest::sha256(bytes))
 }
 
 /// Writes the files and their manifest beside the place, then puts them there in one step.
 ///
 /// # Errors
-/// Names the file or folder that cannot be written; the place is left as it was.
+/// Names the file or folder that cannot be written, or that has changed meanwhile; the place is left as it was.
 pub fn write(out: &Path, files: &Files) -> Result<(), Fault> {
     let fresh = sibling(out, "new");
-    let written = write_into(&fresh, files).and_then(|()| replace(&fresh, out));
+    let written =
+        write_into(&fresh, files).and_then(|()| may_be_written(out)).and_then(|()| replace(&fresh, out));
     if written.is_err() {
         let _ = fs::remove_dir_all(&fresh);
     }
@@ -59,14 +122,14 @@ pub fn write(out: &Path, files: &Files) -> Result<(), Fault> {
 fn write_into(folder: &Path, files: &Files) -> Result<(), Fault> {
     let at = |path: &Path| {
         let path = path.to_owned();
-        move |error: std::io::Error| Fault::about(path.display(), error)
+        move |error: io::Error| Fault::about(path.display(), error)
     };
     fs::create_dir_all(folder).map_err(at(folder))?;
     let mut manifest = String::new();
     for (name, text) in files {
         let path = folder.join(name);
         fs::write(&path, text).map_err(at(&path))?;
-        manifest += &format!("{}  {name}\n", digest::sha256(text.as_bytes()));
+        manifest += &line(name, text.as_bytes());
     }
     let path = folder.join(MANIFEST);
     fs::write(&path, manifest).map_err(at(&path))
@@ -102,7 +165,7 @@ fn sibling(out: &Path, suffix: &str) -> PathBuf {
 pub fn sources(tree: &Tree) -> Result<String, Fault> {
     let line = |file: &String| {
         let bytes = fs::read(tree.root.join(file)).map_err(|error| Fault::about(file, error))?;
-        Ok(format!("{}  {file}\n", digest::sha256(&bytes)))
+        Ok(line(file, &bytes))
     };
     tree.files.iter().map(line).collect()
 }

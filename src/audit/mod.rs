@@ -42,9 +42,10 @@ use matrix::Matrix;
 /// Writes the audit bundle of a source tree into a folder, and returns its findings.
 ///
 /// # Errors
-/// When the folder holds something else, the tree is none or broken, or the program was built from another
-/// one; then nothing is written.
+/// When the folder holds something else or is the current one, the tree is none or broken, or the program was built
+/// from another one; then nothing is written.
 pub fn write(root: &Path, out: &Path) -> Result<Vec<Finding>, Fault> {
+    let out = &bundle::place(out)?;
     bundle::may_be_written(out)?;
     let tree = Tree::open(root, out)?;
     digest::built_from(root)?;

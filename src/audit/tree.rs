@@ -1,6 +1,8 @@
 //! The source tree: where it is, which commit it is, which files belong to it.
 
+use std::ffi::OsStr;
 use std::fs;
+use std::os::unix::ffi::OsStrExt;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
@@ -67,6 +69,9 @@ impl Tree {
             Err(reason) => (Revision::Unknown { reason }, archive(root)?),
         };
         files.retain(belongs);
+        if let Some(file) = files.iter().find(|file| is_lossy(file)) {
+            return Err(Fault::about(file, "the name is not UTF-8, so that no manifest can name the file"));
+        }
         files.sort();
         Ok(Self { root: root.to_owned(), revision, files })
     }
@@ -137,23 +142,31 @@ fn checkout(root: &Path) -> Result<(String, Vec<String>, Vec<String>), &'static 
     }
     let top =
         git(&["rev-parse", "--show-toplevel"]).ok_or("git is not installed or does not read the tree")?;
-    if Path::new(top.trim()).canonicalize().ok() != root.canonicalize().ok() {
+    if Path::new(OsStr::from_bytes(top.trim_ascii_end())).canonicalize().ok() != root.canonicalize().ok() {
         return Err("the tree is no git checkout of its own");
     }
     let id = git(&["rev-parse", "--verify", "HEAD"]).ok_or("the git repository has no commit")?;
     let changed = git(&["status", "--porcelain", "--no-renames", "--untracked-files=all", "-z"])
         .ok_or("git does not tell the state of the tree")?;
     let tracked = git(&["ls-files", "-z"]).ok_or("git does not list the files")?;
-    let lines = |text: &str| text.split('\0').filter(|line| !line.is_empty()).map(str::to_owned).collect();
-    let tracked: Vec<String> = lines(&tracked);
-    let present = tracked.into_iter().filter(|file| root.join(file).is_file()).collect();
-    let mut changed: Vec<String> = lines(&changed);
+    let lines = |text: &'_ [u8]| -> Vec<Vec<u8>> {
+        text.split(|byte| *byte == 0).filter(|line| !line.is_empty()).map(<[u8]>::to_vec).collect()
+    };
+    let shown = |line: Vec<u8>| String::from_utf8_lossy(&line).into_owned();
+    let is_present = |file: &Vec<u8>| root.join(OsStr::from_bytes(file)).is_file();
+    let present = lines(&tracked).into_iter().filter(is_present).map(shown).collect();
+    let mut changed: Vec<String> = lines(&changed).into_iter().map(shown).collect();
     changed.sort();
-    Ok((id.trim().to_owned(), changed, present))
+    Ok((shown(id.trim_ascii().to_vec()), changed, present))
 }
 
-/// What git prints; nothing if it is missing or refuses.
-fn git(root: &Path, arguments: &[&str]) -> Option<String> {
+/// Whether a name is shown with a replacement for what is no UTF-8.
+fn is_lossy(file: &str) -> bool {
+    file.contains(char::REPLACEMENT_CHARACTER)
+}
+
+/// What git prints, names of files byte by byte; nothing if it is missing or refuses.
+fn git(root: &Path, arguments: &[&str]) -> Option<Vec<u8>> {
     let mut command = Command::new("git");
     command.arg("-C").arg(root).args(["-c", "core.fsmonitor=false"]).args(arguments);
     for variable in ["GIT_DIR", "GIT_WORK_TREE", "GIT_INDEX_FILE", "GIT_COMMON_DIR", "GIT_PREFIX"] {
@@ -161,7 +174,7 @@ fn git(root: &Path, arguments: &[&str]) -> Option<String> {
     }
     command.env("GIT_OPTIONAL_LOCKS", "0").stdin(Stdio::null()).stderr(Stdio::null());
     let output = command.output().ok().filter(|output| output.status.success())?;
-    String::from_utf8(output.stdout).ok()
+    Some(output.stdout)
 }
 
 /// The files of a source archive: all but what `.gitignore` leaves out from the root of the tree.
@@ -191,7 +204,7 @@ fn archive(root: &Path) -> Result<Vec<String>, Fault> {
             .iter()
             .any(|name| file.strip_prefix(name).is_some_and(|rest| rest.is_empty() || rest.starts_with('/')))
     };
-    found.retain(|file| kept(file) && root.join(file).is_file());
+    found.retain(|file| kept(file) && (is_lossy(file) || root.join(file).is_file()));
     Ok(found)
 }
 

@@ -4,11 +4,15 @@ use std::collections::BTreeMap;
 
 use turnspec_conformance::{
     Declaration, Divergence, Expected, Implementation, RunError, Subject, Task, Verdict, Waiver, compare,
+    printable,
 };
 use turnspec_generator::Case;
 use turnspec_oracle::vocabulary::{Event, RuleId};
 
 use super::Signature;
+
+/// The most characters of a line of standard error that are shown.
+const LINE_SHOWN: usize = 400;
 
 /// How many events cited each rule.
 pub(super) type RuleCounts = BTreeMap<RuleId, u64>;
@@ -55,7 +59,9 @@ pub(super) fn judge(
         Verdict::Pass => Judgement::Agreed(counts(&trace)),
         Verdict::Unsupported => Judgement::Unsupported,
         Verdict::Mismatch(divergence) => judge_divergence(divergence, &trace, declaration),
-        Verdict::Protocol(text) | Verdict::Crash(text) => failed(&verdict, text.clone(), &outcome.stderr),
+        Verdict::Protocol(text) | Verdict::Crash(text) => {
+            failed(&verdict, printable(text, LINE_SHOWN), &outcome.stderr)
+        }
         Verdict::TimeOut => failed(&verdict, "not finished in time".to_owned(), &outcome.stderr),
         Verdict::Flood => failed(&verdict, "too much output".to_owned(), &outcome.stderr),
     })
@@ -89,7 +95,8 @@ fn permits(waiver: &Waiver, signature: &Signature, divergence: &Divergence) -> b
 
 fn failed(verdict: &Verdict, how: String, stderr: &str) -> Judgement {
     let last_lines: Vec<&str> = stderr.lines().rev().take(3).collect();
-    let differences = last_lines.into_iter().rev().map(|line| format!("standard error: {line}")).collect();
+    let shown = |line: &str| format!("standard error: {}", printable(line, LINE_SHOWN));
+    let differences = last_lines.into_iter().rev().map(shown).collect();
     Judgement::Disagreed(Box::new(Disagreement {
         signature: Signature::of_failure(verdict),
         expected: "a trace".to_owned(),

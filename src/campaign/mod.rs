@@ -3,10 +3,11 @@
 //!
 //! Everything follows from the seed: which programs are run, which disagreements count as one, what they
 //! shrink to. Work is shared among threads a batch at a time, and the results of a batch are taken in the order
-//! of its runs, so that the number of threads changes nothing but the time. (Only a run at the edge of its
-//! time-out may come out otherwise.) After every batch the state is saved; a campaign that was interrupted
-//! goes on from there.
+//! of its runs, so that neither the number of threads nor an interruption changes anything but the time. (Only a run
+//! at the edge of its time-out may come out otherwise.) What was taken is saved with every finding, every second
+//! and at an interruption; a campaign that was interrupted goes on from there.
 
+mod batch;
 mod finding;
 mod judgement;
 mod reduction;
@@ -20,16 +21,18 @@ pub use signature::Signature;
 pub use state::{Campaign, StateError};
 
 use std::path::Path;
+use std::time::{Duration, Instant};
 
-use turnspec_conformance::{Declaration, Implementation, RunError, in_parallel};
-use turnspec_generator::{Case, Profile, case_from_seed_within};
+use turnspec_conformance::{Declaration, Implementation, RunError};
+use turnspec_generator::Profile;
 use turnspec_oracle::vocabulary::Feature;
 
-use judgement::{Disagreement, Judgement, judge};
-use reduction::reduced;
+use batch::Batch;
 
-/// Runs that are shared among the threads before their results are taken.
-const BATCH: u64 = 64;
+/// Runs for each thread before their results are taken.
+const RUNS_A_THREAD: u64 = 4;
+/// The longest time that results without a finding wait for being saved.
+const UNSAVED: Duration = Duration::from_secs(1);
 
 /// What a campaign is about. All of it but `runs`, `jobs` and `max_findings` is fixed at its start.
 #[derive(Clone, Copy, Debug)]
@@ -70,10 +73,11 @@ impl From<StateError> for Failure {
 }
 
 /// Carries on with a campaign until its runs are done or it has enough findings. With a directory its state and
-/// its findings are saved there. `progress` is called with the number of runs done.
+/// its findings are saved there. `progress` is called with the campaign whenever results have been taken.
 ///
 /// # Errors
-/// [`Failure`]; what had been saved before stays valid.
+/// [`Failure`]. The campaign is as far as its results were taken, and with a directory it is saved so, unless the
+/// failure is that it cannot be saved; then what had been saved before stays valid.
 pub fn carry_on(
     campaign: &mut Campaign,
     plan: &Plan<'_>,
@@ -81,16 +85,55 @@ pub fn carry_on(
     mut progress: impl FnMut(&Campaign),
 ) -> Result<(), Failure> {
     let profile = profile(plan.declaration);
+    let mut keeper = Keeper::new(campaign, directory);
+    let width = RUNS_A_THREAD.saturating_mul(plan.jobs.max(1) as u64);
     while campaign.done < plan.runs && !campaign.is_full(plan.max_findings) {
-        let first = campaign.done;
-        let batch: Vec<u64> = (first..plan.runs.min(first + BATCH)).collect();
-        take_batch(campaign, plan, &profile, &batch)?;
-        if let Some(directory) = directory {
-            campaign.save(directory)?;
+        let runs = campaign.done..plan.runs.min(campaign.done.saturating_add(width));
+        let mut batch = Batch::judged(plan, &profile, runs);
+        while !batch.is_taken() && !campaign.is_full(plan.max_findings) {
+            batch.take_some(campaign);
+            keeper.keep(campaign)?;
+            progress(campaign);
         }
-        progress(campaign);
+        if let Some(failure) = batch.into_failure().filter(|_| !campaign.is_full(plan.max_findings)) {
+            keeper.keep_at_last(campaign)?;
+            return Err(failure.into());
+        }
     }
-    Ok(())
+    Ok(keeper.keep_at_last(campaign)?)
+}
+
+/// Saves a campaign, often enough that an end by force costs little.
+struct Keeper<'d> {
+    directory: Option<&'d Path>,
+    /// When it was saved, how many runs it had then, and how many findings.
+    saved: (Instant, u64, usize),
+}
+
+impl<'d> Keeper<'d> {
+    /// Of a campaign as it begins or as it was read.
+    fn new(campaign: &Campaign, directory: Option<&'d Path>) -> Self {
+        Self { directory, saved: (Instant::now(), campaign.done, campaign.findings.len()) }
+    }
+
+    /// Saves it if there is a new finding, or if the last time is long ago.
+    fn keep(&mut self, campaign: &mut Campaign) -> Result<(), StateError> {
+        let (time, _, findings) = self.saved;
+        if findings < campaign.findings.len() || time.elapsed() >= UNSAVED {
+            self.keep_at_last(campaign)?;
+        }
+        Ok(())
+    }
+
+    /// Saves it if anything is new.
+    fn keep_at_last(&mut self, campaign: &mut Campaign) -> Result<(), StateError> {
+        let (_, done, _) = self.saved;
+        if let Some(directory) = self.directory.filter(|_| done < campaign.done) {
+            campaign.save(directory)?;
+            self.saved = (Instant::now(), campaign.done, campaign.findings.len());
+        }
+        Ok(())
+    }
 }
 
 /// The programs that a declaration permits.
@@ -99,55 +142,4 @@ fn profile(declaration: &Declaration) -> Profile {
         None => Profile::FULL,
         Some(features) => Profile::of(&features.iter().copied().collect::<Vec<Feature>>()),
     }
-}
-
-/// The case of a run: other seeds lead to other cases.
-fn case(seed: u64, run: u64, profile: &Profile) -> Case {
-    case_from_seed_within(seed.wrapping_mul(0x9E37_79B9_7F4A_7C15).wrapping_add(run), profile)
-}
-
-/// Runs a batch, reduces what is new in it, and takes the results in the order of the runs.
-fn take_batch(
-    campaign: &mut Campaign,
-    plan: &Plan<'_>,
-    profile: &Profile,
-    batch: &[u64],
-) -> Result<(), Failure> {
-    let judgements = in_parallel(plan.jobs, batch, |run| {
-        let case = case(plan.seed, *run, profile);
-        judge(plan.implementation, plan.declaration, &case).map(|judgement| (case, judgement))
-    })?;
-    let news = news(campaign, batch, &judgements);
-    let findings = in_parallel(plan.jobs, &news, |(run, case, disagreement)| {
-        reduced(plan.implementation, plan.declaration, profile, case, disagreement)
-            .map(|(case, smallest)| Finding::new(plan.seed, *run, disagreement, &case, &smallest))
-    })?;
-    let mut findings = findings.into_iter().peekable();
-    for (run, (_, judgement)) in batch.iter().zip(judgements) {
-        if campaign.is_full(plan.max_findings) {
-            break;
-        }
-        campaign.take(judgement, findings.next_if(|finding| finding.run == *run));
-    }
-    Ok(())
-}
-
-/// The first disagreement of each signature that the campaign has not met yet.
-fn news<'j>(
-    campaign: &Campaign,
-    batch: &[u64],
-    judgements: &'j [(Case, Judgement)],
-) -> Vec<(u64, &'j Case, &'j Disagreement)> {
-    let mut met: Vec<&Signature> = Vec::new();
-    let mut news = Vec::new();
-    for (run, (case, judgement)) in batch.iter().zip(judgements) {
-        if let Judgement::Disagreed(disagreement) = judgement
-            && !campaign.has_met(&disagreement.signature)
-            && !met.contains(&&disagreement.signature)
-        {
-            met.push(&disagreement.signature);
-            news.push((*run, case, &**disagreement));
-        }
-    }
-    news
 }

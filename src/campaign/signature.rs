@@ -3,8 +3,11 @@
 use std::fmt;
 
 use serde::{Deserialize, Serialize};
-use turnspec_conformance::{Divergence, Verdict};
+use turnspec_conformance::{Divergence, Observation, Verdict, printable};
 use turnspec_oracle::vocabulary::{Action, Event, RuleId};
+
+/// The most characters of a foreign kind of event that are shown.
+const KIND_SHOWN: usize = 60;
 
 /// What a disagreement looks like, whatever its program.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug, Serialize, Deserialize)]
@@ -42,8 +45,8 @@ impl Signature {
         };
         let found = match (&divergence.actual, divergence.differences.first()) {
             (None, None) => "nothing more".to_owned(),
-            (Some(actual), None) => actual.kind.clone(),
-            (Some(actual), Some(difference)) if difference.field == "kind" => actual.kind.clone(),
+            (Some(actual), None) => shown(actual),
+            (Some(actual), Some(difference)) if difference.field == "kind" => shown(actual),
             (_, Some(difference)) => format!("other {}", difference.field),
         };
         let rules = expected.map_or_else(Vec::new, |event| event.rules.as_slice().to_vec());
@@ -55,6 +58,11 @@ impl fmt::Display for Signature {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&self.class)
     }
+}
+
+/// The kind of an event of the implementation, which may be any text.
+fn shown(actual: &Observation) -> String {
+    printable(&actual.kind, KIND_SHOWN)
 }
 
 fn kind(event: &Event) -> String {

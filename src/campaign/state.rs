@@ -100,10 +100,10 @@ impl Campaign {
         }
     }
 
-    /// The same campaign as far as a directory holds it already.
+    /// The same campaign as far as a directory holds it already. A case of it whose file is gone is written again.
     ///
     /// # Errors
-    /// When the state in the directory is damaged, or that of another campaign.
+    /// When the state in the directory is damaged, or that of another campaign, or a case cannot be written.
     pub fn resumed(self, directory: &Path) -> Result<Self, StateError> {
         let path = directory.join(FILE);
         let text = match fs::read(&path) {
@@ -122,7 +122,14 @@ impl Campaign {
             return Err(StateError::Damaged(path, contradiction.to_owned()));
         }
         state.saved = state.findings.len();
+        state.restore(directory)?;
         Ok(state)
+    }
+
+    /// Writes the cases whose files are gone.
+    fn restore(&self, directory: &Path) -> Result<(), StateError> {
+        let cases = self.findings.iter().map(|finding| (directory.join(finding.file_name()), finding));
+        cases.filter(|(path, _)| !path.exists()).try_for_each(|(path, finding)| write(&path, &finding.case))
     }
 
     /// How a saved campaign differs from this one.
@@ -161,6 +168,11 @@ impl Campaign {
     #[must_use]
     pub fn is_full(&self, max_findings: usize) -> bool {
         max_findings > 0 && self.findings.len() >= max_findings
+    }
+
+    /// How many findings are wanted still.
+    pub(super) fn room(&self, max_findings: usize) -> usize {
+        if max_findings == 0 { usize::MAX } else { max_findings.saturating_sub(self.findings.len()) }
     }
 
     /// Whether a disagreement like this was met before.

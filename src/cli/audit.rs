@@ -17,7 +17,8 @@ use super::{Failure, Verdict, exit_status};
 #[command(after_help = concat!(
     "Examples:\n  turnspec audit --out audit\n  turnspec audit --root ../turnspec --out /tmp/audit\n  \
      cd audit && sha256sum -c MANIFEST.sha256\n\nThe program has to be built from the tree that it audits.\n\
-     A former bundle is replaced; any other folder that is not empty is left alone.\n\n",
+     A former bundle is replaced if it is as it was written; any other folder that is not empty is left alone, \
+     and so is the current one.\n\n",
     exit_status!()
 ))]
 pub struct Arguments {

@@ -1,7 +1,7 @@
 //! `conform`: another implementation on the corpus.
 
 use std::fs;
-use std::io::{Write, stdout};
+use std::io::{self, Write, stdout};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -24,7 +24,8 @@ use super::{ColorChoice, Failure, Verdict};
     turnspec conform --impl 'turnspec answer'\n\n\
     Exit status:\n  0  every case that was run passed, or its failure is waived\n  \
     1  a case failed, or a waiver is out of date\n  \
-    2  wrong usage, a command that does not start, a broken corpus or declaration, interrupted")]
+    2  wrong usage, a command that does not start, a broken corpus or declaration, a report that\n     \
+    cannot be written, interrupted")]
 pub struct Arguments {
     #[command(flatten)]
     under_test: UnderTest,
@@ -100,19 +101,16 @@ fn with_progress(exercises: &[Exercise], runner: &Runner) -> Result<Report, Fail
     result.map_err(|error| Failure::Usage(error.to_string()))
 }
 
+/// Writes every report that can be written; the first fault of the others.
 fn write_reports(arguments: &Arguments, report: &Report) -> Result<(), Failure> {
-    if let Some(path) = &arguments.junit {
-        write(path, junit(report).map_err(|error| Failure::about(path.display(), error))?)?;
-    }
-    if let Some(path) = &arguments.json {
-        write(path, json(report)?)?;
-    }
-    if let Some(path) = &arguments.html {
-        write(path, html(report))?;
-    }
-    Ok(())
+    let written = [
+        arguments.junit.as_ref().map(|path| write(path, junit(report))),
+        arguments.json.as_ref().map(|path| write(path, json(report).map_err(io::Error::from))),
+        arguments.html.as_ref().map(|path| write(path, Ok(html(report)))),
+    ];
+    written.into_iter().flatten().collect()
 }
 
-fn write(path: &Path, text: String) -> Result<(), Failure> {
-    fs::write(path, text).map_err(|error| Failure::about(path.display(), error))
+fn write(path: &Path, text: io::Result<String>) -> Result<(), Failure> {
+    text.and_then(|text| fs::write(path, text)).map_err(|error| Failure::about(path.display(), error))
 }

@@ -46,7 +46,8 @@ impl Excerpt {
         let to = text.len();
         text.push_str(&printable(after, code));
         let lines_before = first_line.saturating_sub(line_ends(before, code));
-        Self { name: name.to_owned(), text, lines_before, span: from..to }
+        let name = visible(name).replace('\n', "\u{FFFD}");
+        Self { name, text, lines_before, span: from..to }
     }
 
     /// Where the span lies in the excerpt.
@@ -167,6 +168,12 @@ mod tests {
         assert_eq!(excerpt.text, "G00 X2\nG00 X3 Y4\nG00 X5");
         assert_eq!(excerpt.text.get(excerpt.span.clone()), Some("Y4"));
         assert_eq!(excerpt.lines_before, 1);
+    }
+
+    #[test]
+    fn a_file_name_is_printable() {
+        let excerpt = Excerpt::new("a\x1B[31m\nb\t", b"M00", TapeCode::Ascii, &place(1, 0, 3), &(0..3));
+        assert_eq!(excerpt.name, "a\u{FFFD}[31m\u{FFFD}b ");
     }
 
     #[test]

@@ -20,7 +20,8 @@ const RULES_SHOWN: usize = 4;
 /// The implementation reads a case and writes a trace as conformance/PROTOCOL.md describes. Programs stay within
 /// the features that it declares. Each kind of disagreement is shown once, with the smallest program that was
 /// found for it. With --out the findings are saved as conformance cases, and the campaign can be interrupted: the
-/// same command carries on with it.
+/// same command carries on with it, after the last program whose result was finished. A disagreement that is being
+/// made smaller at the interruption is met again then.
 #[derive(clap::Args)]
 #[command(after_help = concat!(
     "Examples:\n  turnspec fuzz --impl ./mylathe --declare mylathe.toml --runs 1000\n  \
@@ -40,7 +41,7 @@ pub struct Arguments {
     /// Where the campaign and its findings are kept.
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
-    /// Stop at this number of findings.
+    /// Stop at this number of findings, at once: of further disagreements no smallest program is sought.
     #[arg(long, value_name = "N")]
     max_findings: Option<NonZeroUsize>,
 }
@@ -77,10 +78,18 @@ pub fn carry_out(arguments: &Arguments) -> Result<Verdict, Failure> {
 /// Why the campaign did not go on, and what becomes of it.
 fn failure_of(failure: &campaign::Failure, done: u64, directory: Option<&Path>) -> Failure {
     match (failure, directory) {
-        (campaign::Failure::Run(RunError::Interrupted), Some(directory)) => Failure::Usage(format!(
-            "interrupted after {done} programs; the same command carries on from {}",
-            directory.display()
-        )),
+        (campaign::Failure::Run(RunError::Interrupted), Some(directory)) if done > 0 => {
+            Failure::Usage(format!(
+                "interrupted; {done} programs are kept in {}, from where the same command carries on",
+                directory.display()
+            ))
+        }
+        (campaign::Failure::Run(RunError::Interrupted), Some(_)) => {
+            Failure::Usage("interrupted before the first program was finished; nothing is kept".to_owned())
+        }
+        (campaign::Failure::Run(RunError::Interrupted), None) => {
+            Failure::Usage(format!("interrupted after {done} programs; without --out nothing is kept"))
+        }
         (campaign::Failure::Run(error), _) => Failure::about("--impl", error),
         (campaign::Failure::State(error), _) => Failure::Usage(error.to_string()),
     }

@@ -8,7 +8,7 @@ use std::sync::atomic::AtomicBool;
 use std::thread;
 use std::time::Duration;
 
-use signal_hook::consts::{SIGINT, SIGTERM};
+use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM};
 use turnspec_conformance::{Declaration, Implementation};
 
 use super::Failure;
@@ -44,7 +44,7 @@ impl UnderTest {
         Ok((declaration, text))
     }
 
-    /// How it is run; Ctrl-C ends every run.
+    /// How it is run; Ctrl-C, a request to end and the end of the terminal end every run.
     pub fn implementation(&self) -> Result<Implementation, Failure> {
         let implementation =
             Implementation::new(&self.command).map_err(|error| Failure::about("--impl", error))?;
@@ -64,12 +64,22 @@ fn seconds(text: &str) -> Result<Duration, String> {
     time.filter(|time| sensible.contains(time)).ok_or_else(|| "not a time from 0.001 to 86400 s".to_owned())
 }
 
-/// A flag that Ctrl-C and a request to end raise: every run ends and its processes are killed.
+/// A flag that Ctrl-C, a request to end and the end of the terminal raise: every run ends and its processes are
+/// killed. Who was started by `nohup` outlives the terminal.
 fn interrupt() -> Result<Arc<AtomicBool>, Failure> {
     let flag = Arc::new(AtomicBool::new(false));
-    for signal in [SIGINT, SIGTERM] {
+    let hang_up = (!is_ignored(SIGHUP)).then_some(SIGHUP);
+    for signal in [SIGINT, SIGTERM].into_iter().chain(hang_up) {
         signal_hook::flag::register(signal, Arc::clone(&flag))
             .map_err(|error| Failure::about("Ctrl-C cannot be watched", error))?;
     }
     Ok(flag)
+}
+
+/// Whether this process was started with a signal ignored, where the system tells.
+fn is_ignored(signal: i32) -> bool {
+    let status = fs::read_to_string("/proc/self/status").unwrap_or_default();
+    let mask = status.lines().find_map(|line| line.strip_prefix("SigIgn:"));
+    let mask = mask.and_then(|mask| u64::from_str_radix(mask.trim(), 16).ok()).unwrap_or(0);
+    (mask >> (signal - 1)) & 1 == 1
 }

@@ -37,7 +37,7 @@ impl Program {
     }
 
     /// Whether its file name says that it is a schedule program.
-    pub fn is_schedule(&self) -> bool {
+    fn is_schedule(&self) -> bool {
         let extension = self.path.as_deref().and_then(Path::extension);
         extension.is_some_and(|extension| extension.eq_ignore_ascii_case("SDF"))
     }
@@ -48,11 +48,18 @@ impl Program {
         self.path.as_deref().and_then(full).is_some_and(|own| Some(own) == full(path))
     }
 
-    /// The set-up to run on: the file given, else the file beside the program, else the default.
+    /// The set-up to run on: the file given, else the file beside the program, else the default; for a schedule
+    /// program if the program's file name or the set-up says so.
     ///
     /// # Errors
     /// When the file cannot be read or is no valid set-up.
     pub fn setup(&self, given: Option<&Path>) -> Result<Setup, Failure> {
+        let mut setup = self.setup_file(given)?;
+        setup.schedule |= self.is_schedule();
+        Ok(setup)
+    }
+
+    fn setup_file(&self, given: Option<&Path>) -> Result<Setup, Failure> {
         if let Some(path) = given {
             let text = std::fs::read(path).map_err(|error| Failure::about(path.display(), error))?;
             return parse_setup(path, text);

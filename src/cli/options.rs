@@ -49,7 +49,6 @@ impl SetupOptions {
     /// When a file or folder cannot be read, or what they say is no valid set-up.
     pub fn setup(&self, program: &Program) -> Result<Setup, Failure> {
         let mut setup = program.setup(self.setup.as_deref())?;
-        setup.schedule |= program.is_schedule();
         for folder in &self.library {
             add_folder(&mut setup, folder, program)?;
         }

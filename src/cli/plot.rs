@@ -22,7 +22,7 @@ use super::{ColorChoice, Failure, Verdict, exit_status, setup_help};
 ///
 /// The drawing is an SVG file; with --html it is a page that needs nothing else, in which each motion shows its block,
 /// its event and its rules. In nose radius compensation it is the path of the tip, with the programmed contour beside
-/// it; of LAP the programmed contour and the blank are drawn. The passes of a cycle take six colours in turn. At an alarm the path up to there is drawn. The reference implementation runs.
+/// it; of LAP the programmed contour and the blank are drawn. The passes of a cycle take six colours in turn. At an alarm the path up to there is drawn, and no more than 100000 motions are. The reference implementation runs.
 #[derive(clap::Args)]
 #[command(after_help = concat!(
     "Examples:\n  turnspec plot shaft.min -o shaft.svg\n  turnspec plot shaft.min --html -o shaft.html\n  \
@@ -78,7 +78,7 @@ pub fn carry_out(arguments: &Arguments, color: ColorChoice) -> Result<Verdict, F
             outlined = outline.number;
             plan.definition(outline);
         }
-        if ended.is_some() {
+        if ended.is_some() || plan.cut {
             break;
         }
     }
@@ -100,7 +100,7 @@ pub fn carry_out(arguments: &Arguments, color: ColorChoice) -> Result<Verdict, F
     if plan.cut {
         let _ = writeln!(
             stderr(),
-            "turnspec: {}: more than {} motions, the rest is not drawn",
+            "turnspec: {}: more than {} motions; the run was stopped there, the rest is not drawn",
             program.name,
             Plan::MOST
         );

@@ -3,6 +3,7 @@
 use maud::{Markup, PreEscaped, html};
 
 use turnspec_conformance::geometry::{Point, Way};
+use turnspec_conformance::page::permitted;
 
 use super::axes::axes;
 use super::legend::Legend;
@@ -16,11 +17,11 @@ pub const HUES: u32 = 6;
 /// Room for titles and numbers beside the plot in pixels: left, above, right, below.
 const MARGIN: [f64; 4] = [76.0, 56.0, 24.0, 84.0];
 
-/// The drawing of a plan under a title.
+/// The drawing of a plan under a title. Characters of the title that XML forbids are replaced.
 #[must_use]
 pub fn svg(title: &str, plan: &Plan, extent: Extent) -> String {
     let text = html! { (sheet(title, plan, extent, true)) "\n" };
-    text.into_string()
+    permitted(&text.into_string())
 }
 
 /// The drawing; in a page the look is that of the page.
@@ -110,8 +111,10 @@ mod tests {
         turnspec_oracle::run(b"G00 X20 Z5\nG01 Z-10 F0.2\nG05\n", &Setup::default(), &mut |event: &Event| {
             plan.event(event);
         });
-        let text = svg("a < b", &plan, Extent::All);
-        for part in ["a &lt; b", "class=\"rapid\" data-n=\"1\"", "class=\"linear\"", ">alarm<", ">end<"] {
+        let text = svg("a < b\u{1}", &plan, Extent::All);
+        for part in
+            ["a &lt; b\u{FFFD}<", "class=\"rapid\" data-n=\"1\"", "class=\"linear\"", ">alarm<", ">end<"]
+        {
             assert!(text.contains(part), "{part}: {text}");
         }
         for part in [">passes<", "class=\"arc\"", ">barrier<", ">programmed<"] {

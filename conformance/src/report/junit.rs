@@ -10,6 +10,7 @@ use quick_xml::events::{BytesDecl, BytesText, Event};
 
 use super::summary::explained;
 use super::{CaseReport, Report, Ruling};
+use crate::page::permitted as text;
 
 /// The report as XML text.
 ///
@@ -78,10 +79,4 @@ fn element(verdict: Ruling) -> &'static str {
         Ruling::Mismatch | Ruling::Unsupported | Ruling::StaleWaiver => "failure",
         _ => "error",
     }
-}
-
-/// Text without the characters that XML forbids.
-fn text(text: &str) -> String {
-    let permitted = |each: char| matches!(each, '\t' | '\n' | '\r' | ' '..='\u{FFFD}' | '\u{10000}'..);
-    text.chars().map(|each| if permitted(each) { each } else { char::REPLACEMENT_CHARACTER }).collect()
 }

@@ -20,6 +20,13 @@ pub fn render(text: &str) -> Markup {
                 code = matches!(event, Event::Start(_));
                 events.push(event);
             }
+            // Wider than a narrow screen, perhaps.
+            Event::Start(Tag::Table(_)) => {
+                events.extend([Event::InlineHtml(CowStr::Borrowed("<div class=\"scroll\">")), event]);
+            }
+            Event::End(TagEnd::Table) => {
+                events.extend([event, Event::InlineHtml(CowStr::Borrowed("</div>\n"))]);
+            }
             Event::Text(words) if !code => link_rules(&words, &mut events),
             event => events.push(event),
         }
@@ -62,6 +69,13 @@ mod tests {
         );
         assert_eq!(html("(G50-02)"), "<p>(<a href=\"#E100L-G50-02\">G50-02</a>)</p>\n");
         assert_eq!(html("E100L-NONE-77 E100L-, \u{2212}1."), "<p>E100L-NONE-77 E100L-, \u{2212}1.</p>\n");
+    }
+
+    #[test]
+    fn a_table_scrolls() {
+        let table = html("| a |\n|---|\n| b |\n\nc\n");
+        assert!(table.starts_with("<div class=\"scroll\"><table>"), "{table}");
+        assert!(table.ends_with("</table>\n</div>\n<p>c</p>\n"), "{table}");
     }
 
     #[test]
