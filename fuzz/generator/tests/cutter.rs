@@ -33,8 +33,6 @@ const ALARMS: &[(AlarmName, RuleId)] = &[
     (AlarmName::CompensationArcTooSmall, NRC_48),
     (AlarmName::CompensationNoIntersection, NRC_53),
     (AlarmName::CompensationNotAllowed, NRC_81),
-    (AlarmName::CompensationNotLinear, NRC_19),
-    (AlarmName::CompensationNotLinear, NRC_72),
     (AlarmName::ContourXChanged, CRC_18),
     (AlarmName::ContourXNotPositive, CGF_08),
     (AlarmName::ContourXNotPositive, CGS_01),

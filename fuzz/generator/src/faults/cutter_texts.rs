@@ -22,7 +22,6 @@ pub(super) const FAULTS: &[(usize, Fault)] = &[
     (8, Fault::NotModelled),
     (8, Fault::CompensationArcTooSmall),
     (8, Fault::CompensationNoIntersection),
-    (6, Fault::CompensationNotLinear),
     (6, Fault::CompensationNotAllowed),
     (6, Fault::PlaneChangeInCompensation),
     (6, Fault::WordWithoutFunction),
@@ -59,10 +58,6 @@ pub(super) const FORMS: &[(Fault, &[&str])] = &[
     (Fault::CompensationNoIntersection, &[
         "^\nG103 X30 Y30 L10", "^\nG102 X8 Y20 L6", "@\nG132 Z18 L6", "^\nG103 X20 Y40 L10", "@\nG132 C0 Z19 L5.5", "^\nG102 X10 Y20 L5\nG101 Y50", "@\nG132 Z19.99 L5.005\nG01 Z10",
     ]),
-    (Fault::CompensationNotLinear, &[
-        "G17 G41 G102 X60 L60", "G17 G42 G103 C30 L60", "G119 G41 G132 Z30 L60", "~\nG40 G102 X60 C30 L90", "@\nG40 G133 Z20 L60", "^\nG40 G103 X5 L60", "G119\nG133 Z30 L60\nG42 Z20 L60",
-        "G17\nG102 C60 L60\nG41 C90 L60",
-    ]),
     (Fault::CompensationNotAllowed, &[
         "~\nG50 X5", "@\nG50 C5", "^\nG137 C5", "~\nG50 Z5 S100", "^\nG50 Z5", "G17 G41 G137 C0", "~\nG137 C0", "@\nG50 X100", "G119\nG42 G137 C5",
     ]),
@@ -95,6 +90,9 @@ pub(super) const NOT_DESCRIBED: &[&str] = &[
     "G17 G41", "G17 G42 G01", "G119 G41 M08", "G17 G41 G01 Z40", "G119 G42 G01 X100", "G17\nG41 G04 F1", "G119\nG42", "G119 G41 G50 S100", "G137 C0\nG00 X60 Y20\nG17 G41 Z40",
     "G18 G42 G01 X90 Z45\nZ20\nG40\nG17 G41 G01 X80", "G18 G41 G01 X90 Z45\nX80\nG40\nG119 G41 G01 Z40",
     "~\nG40", "@\nG40 M08", "~\nG40 Z20", "^\nG40", "@\nG40 G04 F1", "@\nG40 X100", "~\nG40 G18", "^\nG40 Z5", "~\nG40 G50 X5", "~\nG40 G29 PZ=5",
+    // In an arc.
+    "G17 G41 G102 X60 L60", "G17 G42 G103 C30 L60", "G119 G41 G132 Z30 L60", "~\nG40 G102 X60 C30 L90", "@\nG40 G133 Z20 L60", "^\nG40 G103 X5 L60", "G119\nG133 Z30 L60\nG42 Z20 L60",
+    "G17\nG102 C60 L60\nG41 C90 L60",
     // An end that no element comes before.
     "G17 G41 G01 X80\nG40 X90", "G119 G42 G00 Z45\nM02", "G17 G41 G01 X80\nM08\nM30", "G119 G41 G01 Z45\nG40 Z50", "G137 C0\nG00 X60 Y20\nG17 G41 X50\nG40 Y5", "G17 G42 G101 X80\nM02",
     // The other side.
