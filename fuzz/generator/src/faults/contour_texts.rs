@@ -39,6 +39,7 @@ pub(super) const FAULTS: &[(usize, Fault)] = &[
 #[rustfmt::skip]
 pub(super) const FORMS: &[(Fault, &[&str])] = &[
     (Fault::WordMissing, &[
+        "G137 C0\nG181 X30 Y40 R-5 K1\nG180\nG136\nG00 X50", "G137 C0\nG189 X30 Y40 R-5 K1\nG180\nG136\nG00 Z50", "G137 C0\nG181 X30 Y40 R-5 K1\nG180\nG00 X5 Y5",
         "G102 C90", "G103 X50 C90", "G132 Z20 C60", "G133 C60", "G102", "G133", "G103 C90 L60\nC180", "G137", "G137 X5", "G137 F5",
         "G137 C0\nG00 X30 Y40\nG102 X40", "G137 C0\nG00 X30 Y40\nG103 X40 Y30 L70\nX30 Y40",
     ]),
