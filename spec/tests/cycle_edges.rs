@@ -131,6 +131,25 @@ fn other_cycles_than_holes_along_z_have_no_place_in_coordinate_conversion() {
     }
 }
 
+/// Section 3, check 5: a synchronised tap takes D and J in conversion mode too: it starts at 90 degrees, and two threads a
+/// pitch halve the lead of 2; no other hole takes D (E100L-STAP-01, E100L-CSC-09).
+#[test]
+fn a_synchronised_tap_in_conversion_mode_has_its_words() {
+    let program = |block: &str| {
+        format!("M110\nG95 G137 C0\nG00 X30 Y0 Z20 F2 SB=400\n{block}\nG180\nG136\nG00 X60 Z20\nM02\n")
+    };
+    holds(
+        &program("G178 X0 Y20 Z5 K5 D90 J2"),
+        "",
+        "...\nrapid x=40 c=90 px=0 py=20 part=position\n...\nthread part=cut lead=1 start=90\n...\nend code=M02",
+    );
+    holds(
+        &program("G94 G182 X0 Y20 Z5 K5 D90"),
+        "",
+        "...\nalarm name=word_without_function detail=D line=4 rules=E100L-ADDR-01",
+    );
+}
+
 /// TAP-02: X goes to the word X, in G91 (TAP-01) as far as the word from the present 10; Z to 20 − 5 = 15, to the bottom,
 /// which lies on the same side of zero as the start, and back.
 #[test]

@@ -54,8 +54,7 @@ fn is_on_side(motion: u16) -> bool {
 
 /// Whether the motions of a block are those of this chapter: contours, and positionings by X and Y in conversion mode.
 pub fn has_own_motions(plan: &Plan) -> bool {
-    let positions = plan.moves && plan.one_shot.is_none() && plan.cycle.is_none();
-    plan.is_contour() || positions && plan.converts && plan.words.has_any("XY")
+    plan.is_contour() || plan.moves && plan.one_shot.is_none() && plan.converts && plan.words.has_any("XY")
 }
 
 /// The motions of such a block.
