@@ -145,7 +145,7 @@ bugs! {
     CutterFrameFree 15000 "cutter" [CRC_14] "The frame may change while a cutter is compensated."
     CutterClampLost 6000 "cutter" [CAX_07, CRC_14] "A motion of the plane of a cutter without C word turns a clamped C axis."
     CutterWaits 6000 "cutter" [CRC_14] "A second block without motion in the plane ends an element of a cutter in contact."
-    CutterThroughCentre 8000 "cutter" [CRC_14] "A cutter may stop in the centre of the face."
+    CutterThroughCentre 1000 "cutter" [CRC_14] "A cutter may stop in the centre of the face."
     CutterDiameterUncited 1000 "cutter" [CRC_18] "Motions of a cutter in G119 do not cite the rule of the diameter."
     CutterHeldMotion 1000 "cutter" [CRC_14] "A motion of Z or W that was held shows the programmed point, not the cutter."
     CutterLimitOfProgram 18000 "cutter" [NRC_80] "Travel limits of a cutter are tested on the programmed point."

@@ -30,7 +30,8 @@ impl Builder<'_, '_, '_> {
         }
         match fault {
             Fault::Unspecified => {
-                let text = self.choices.pick(texts::NOT_DESCRIBED);
+                let at_centre = self.choices.chance(25);
+                let text = self.choices.pick(if at_centre { texts::AT_CENTRE } else { texts::NOT_DESCRIBED });
                 self.behind_cutter(text)
             }
             Fault::ProfileGeneration => self.cutter_wound_too_far(),
