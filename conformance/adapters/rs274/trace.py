@@ -82,7 +82,7 @@ class Machine:
         elif name == "OPTIONAL_PROGRAM_STOP":
             return {"kind": "optional_stop"} if self.optional_stop else None
         elif name in ("STRAIGHT_TRAVERSE", "STRAIGHT_FEED", "ARC_FEED"):
-            return self.motion(name, arguments) if self.block and self.block.moves() else None
+            return self.motion(name, arguments) if self.block else None
         elif self.block and name not in WITHOUT_EVENT:
             raise UnknownCall(name)
         return None

@@ -10,7 +10,7 @@ from decimal import Decimal
 from shared import NotShared
 
 G_CODES = {0, 1, 2, 3, 4, 40, 41, 42, 90, 91, 94, 95, 97}
-ARCS, COMPENSATION, COMPENSATED = {2, 3}, {40, 41, 42}, {41, 42}
+MOTIONS, ARCS, COMPENSATION, COMPENSATED = {0, 1, 2, 3}, {2, 3}, {40, 41, 42}, {41, 42}
 M_CODES = {0, 1, 2, 3, 4, 5, 8, 9, 30}
 PROGRAM_ENDS = {2, 30}
 
@@ -43,13 +43,15 @@ class Block:
         self.words = words(text, place)
         self.comments = [comment[1] for comment in COMMENT.finditer(text)]
         self.noses = [noses.of_word(number) for address, number in self.words if address == "T"]
-        if self.compensation_codes() and not self.g_codes() & ARCS and any(a in "IK" for a, _ in self.words):
+        self.motion_codes = [code for code in self.g_codes() if code in MOTIONS]
+        if self.compensation_codes() and ARCS.isdisjoint(self.motion_codes) and any(a in "IK" for a, _ in self.words):
             raise NotShared("an imaginary point beside G40, G41 or G42")
 
     def text(self, is_compensated):
         """The lines for rs274, each with the mark that tells its calls; a tool is changed in a line before."""
         change = [f"T{nose}" for nose in self.noses] + ["M6"] * bool(self.noses)
-        rest = [word(address, number, self.words) for address, number in self.words if address not in ("CALRG", "T")]
+        rest = [f"G{code}" for code in self.motion_codes]
+        rest += [word(*each, self.words) for each in self.words if not is_written_apart(*each)]
         if not is_compensated:
             rest = [text for text in rest if text not in ("G41", "G42")]
         lines = [parts for parts in (change, rest) if parts]
@@ -60,10 +62,10 @@ class Block:
         return [f"(- {plain(comment)})" for comment in self.comments]
 
     def g_codes(self):
-        return {int(number) for address, number in self.words if address == "G"}
+        return [int(number) for address, number in self.words if address == "G"]
 
     def compensation_codes(self):
-        return self.g_codes() & COMPENSATION
+        return COMPENSATION.intersection(self.g_codes())
 
     def moves(self):
         """Whether the block has a word that asks for motion."""
@@ -82,10 +84,27 @@ def translate(program, setup, noses):
         except NotShared as reason:
             return blocks, f"line {line}: {reason}"
         blocks.append(block)
-        is_skipped = block.is_optional and setup["switches"]["block_delete"]
-        if block.ends_program() and not is_skipped:
+        if block.ends_program() and not is_skipped(block, setup):
             break                                               # nothing behind it is read
     return blocks, None
+
+
+def bring_motion_codes(blocks, setup):
+    """Takes the motion code of a block without a coordinate to the next block that has one: on the E100L it is a mode,
+    rs274 carries it out at once. Two of them in a block stay, for both to refuse."""
+    waiting = []
+    for block in blocks:
+        if is_skipped(block, setup) or len(block.motion_codes) > 1:
+            continue
+        if block.moves():
+            block.motion_codes = block.motion_codes or waiting
+            waiting = []
+        elif block.motion_codes:
+            waiting, block.motion_codes = block.motion_codes, []
+
+
+def is_skipped(block, setup):
+    return block.is_optional and setup["switches"]["block_delete"]
 
 
 def demand_shared_machine(setup):
@@ -96,7 +115,7 @@ def demand_shared_machine(setup):
 
 
 def has_compensation(blocks):
-    return any(block.g_codes() & COMPENSATED for block in blocks)
+    return any(COMPENSATED.intersection(block.g_codes()) for block in blocks)
 
 
 def program_text(blocks, setup, is_compensated):
@@ -160,6 +179,11 @@ def shared_number(address, text):
     elif address != "F":
         raise NotShared(f"address {address}")
     return text
+
+
+def is_written_apart(address, number):
+    """A tool, the mark of a major arc, a motion code."""
+    return address in ("CALRG", "T") or address == "G" and int(number) in MOTIONS
 
 
 def word(address, number, others):
