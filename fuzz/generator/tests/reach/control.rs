@@ -1,14 +1,12 @@
 //! Generated programs reach control flow: how many, how deep, and every rule and alarm of it.
 
-mod support;
-
 use std::collections::{BTreeMap, BTreeSet};
 
 use turnspec_generator::{Case, case_from_seed, decode};
 use turnspec_oracle::vocabulary::rule_ids::*;
 use turnspec_oracle::vocabulary::{Action, AlarmName, CallCause, Event, RuleId};
 
-use support::Citations;
+use crate::support::Citations;
 
 /// Programs in which every rule has to be met.
 const PROGRAMS: u64 = 40_000;

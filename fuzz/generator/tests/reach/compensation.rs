@@ -1,14 +1,12 @@
 //! Generated programs reach radius compensation in G18: how many, how deep, and every rule and alarm of it.
 
-mod support;
-
 use std::collections::BTreeMap;
 
 use turnspec_generator::{Case, case_from_seed};
 use turnspec_oracle::vocabulary::rule_ids::*;
 use turnspec_oracle::vocabulary::{Action, AlarmName, Event, Motion, RuleId};
 
-use support::Citations;
+use crate::support::Citations;
 
 /// Programs in which every rule has to be met.
 const PROGRAMS: u64 = 12_000;

@@ -1,9 +1,6 @@
 //! Generated programs reach contours with the C axis and coordinate conversion: how many, how deep, and every rule and alarm
 //! of them.
 
-mod deeds;
-mod support;
-
 use std::collections::BTreeSet;
 
 use turnspec_generator::{Case, case_from_seed};
@@ -12,8 +9,8 @@ use turnspec_oracle::vocabulary::{
     Action, AlarmName, ContourPlane, Event, FrameCause, Motion, Part, RuleId, Sense, SidePlane,
 };
 
-use deeds::Deeds;
-use support::Citations;
+use crate::deeds::Deeds;
+use crate::support::Citations;
 
 /// Programs in which every rule has to be met.
 const PROGRAMS: u64 = 40_000;

@@ -1,16 +1,13 @@
 //! Generated programs reach cutter radius compensation in G17 and G119: how many, how deep, and every rule and alarm of it.
 
-mod deeds;
-mod support;
-
 use std::collections::BTreeSet;
 
 use turnspec_generator::{Case, case_from_seed};
 use turnspec_oracle::vocabulary::rule_ids::*;
 use turnspec_oracle::vocabulary::{Action, AlarmName, ContourPlane, Event, Motion, Part, RuleId, SidePlane};
 
-use deeds::Deeds;
-use support::Citations;
+use crate::deeds::Deeds;
+use crate::support::Citations;
 
 /// Programs in which every rule has to be met.
 const PROGRAMS: u64 = 40_000;

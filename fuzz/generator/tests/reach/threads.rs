@@ -1,8 +1,5 @@
 //! Generated programs reach thread cutting: how many, how deep, and every rule and alarm of it.
 
-mod deeds;
-mod support;
-
 use std::collections::{BTreeMap, BTreeSet};
 
 use turnspec_generator::{Case, case_from_seed};
@@ -11,8 +8,8 @@ use turnspec_oracle::vocabulary::{
     Action, AlarmName, BalancedInfeed, Event, LeadAxis, Motion, Part, RuleId, Side,
 };
 
-use deeds::Deeds;
-use support::Citations;
+use crate::deeds::Deeds;
+use crate::support::Citations;
 
 /// Programs in which every rule has to be met.
 const PROGRAMS: u64 = 40_000;

@@ -1,15 +1,13 @@
 //! Generated programs reach data communication, inputs and outputs, user alarms and schedules: how many, how deep, and
 //! every rule and alarm of them.
 
-mod support;
-
 use std::collections::BTreeMap;
 
 use turnspec_generator::{Case, case_from_seed};
 use turnspec_oracle::vocabulary::rule_ids::*;
 use turnspec_oracle::vocabulary::{Action, AlarmName, Event, RuleId};
 
-use support::Citations;
+use crate::support::Citations;
 
 /// Programs in which every rule has to be met.
 const PROGRAMS: u64 = 40_000;
