@@ -15,7 +15,7 @@ from nose import Noses
 from path import Path
 from shared import NotShared
 from trace import Machine
-from translate import bring_motion_codes, demand_shared_machine, has_compensation, program_text, translate
+from translate import demand_shared_machine, has_compensation, program_text, translate
 
 END, ALARM, UNSUPPORTED, BROKEN = 0, 1, 3, 4
 
@@ -33,7 +33,6 @@ def run(program, setup):
     demand_shared_machine(setup)
     noses = Noses(setup)
     blocks, not_shared = translate(program, setup, noses)
-    bring_motion_codes(blocks, setup)
     programmed = {}
     if has_compensation(blocks):
         programmed = interpreted(blocks, setup, noses, is_compensated=False)[0].programmed

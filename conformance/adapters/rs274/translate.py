@@ -77,16 +77,18 @@ class Block:
 
 def translate(program, setup, noses):
     """The blocks as far as they are shared, and why the rest is not; `None` if all of them are."""
-    blocks = []
+    blocks, not_shared = [], None
     for line, text in enumerate(program.split("\n"), 1):
         try:
             block = Block(line, text, noses)
         except NotShared as reason:
-            return blocks, f"line {line}: {reason}"
+            not_shared = f"line {line}: {reason}"
+            break
         blocks.append(block)
         if block.ends_program() and not is_skipped(block, setup):
             break                                               # nothing behind it is read
-    return blocks, None
+    bring_motion_codes(blocks, setup)
+    return blocks, not_shared
 
 
 def bring_motion_codes(blocks, setup):

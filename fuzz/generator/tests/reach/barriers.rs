@@ -22,12 +22,6 @@ struct Reached {
 }
 
 impl Reached {
-    fn of(seeds: std::ops::Range<u64>) -> Self {
-        let mut reached = Self::default();
-        seeds.for_each(|seed| reached.add(&case_from_seed(seed)));
-        reached
-    }
-
     fn add(&mut self, case: &Case) {
         let (mut tested, mut ended) = (false, false);
         turnspec_oracle::run(&case.program, &case.setup, &mut |event: &Event| {
@@ -62,7 +56,8 @@ impl Reached {
 /// Of a hundred programs about twelve have barriers; in most of them motions are tested, and most of those end.
 #[test]
 fn programs_with_barriers_are_many_and_seldom_run_into_them() {
-    let reached = Reached::of(0..PROGRAMS);
+    let mut reached = Reached::default();
+    (0..PROGRAMS).map(case_from_seed).for_each(|case| reached.add(&case));
     let [tested, ended] = reached.tested;
     println!(
         "{PROGRAMS} programs, {} with barriers, {tested} tested, {ended} of them ended",

@@ -4,9 +4,10 @@ use std::collections::BTreeMap;
 
 use turnspec_generator::{Case, case_from_seed};
 use turnspec_oracle::vocabulary::rule_ids::*;
-use turnspec_oracle::vocabulary::{Action, AlarmName, Event, Motion, RuleId};
+use turnspec_oracle::vocabulary::{Action, AlarmName, Event, RuleId};
 
-use crate::support::Citations;
+use crate::citations::Citations;
+use crate::programs::motion_of;
 
 /// Programs in which every rule has to be met.
 const PROGRAMS: u64 = 12_000;
@@ -65,8 +66,9 @@ impl Reached {
         let (mut motions, mut ended) = (0, false);
         let mut alarm = None;
         turnspec_oracle::run(&case.program, &case.setup, &mut |event: &Event| {
-            motions +=
-                u64::from(motion(event).is_some_and(|motion| motion.tip.is_some() && motion.tip_c.is_none()));
+            motions += u64::from(
+                motion_of(event).is_some_and(|motion| motion.tip.is_some() && motion.tip_c.is_none()),
+            );
             ended |= matches!(event.action, Action::End { .. });
             self.citations.event(event);
             if let Action::Alarm(raised) = event.action {
@@ -79,13 +81,6 @@ impl Reached {
         if let (Some(alarm), true) = (alarm, motions > 0) {
             *self.last.entry(alarm).or_default() += 1;
         }
-    }
-}
-
-fn motion(event: &Event) -> Option<Motion> {
-    match event.action {
-        Action::Rapid { motion } | Action::Linear { motion, .. } | Action::Arc { motion, .. } => Some(motion),
-        _ => None,
     }
 }
 

@@ -6,14 +6,12 @@ use std::collections::BTreeSet;
 use turnspec_generator::{Case, case_from_seed};
 use turnspec_oracle::vocabulary::rule_ids::*;
 use turnspec_oracle::vocabulary::{
-    Action, AlarmName, ContourPlane, Event, FrameCause, Motion, Part, RuleId, Sense, SidePlane,
+    Action, AlarmName, ContourPlane, Event, FrameCause, Part, RuleId, Sense, SidePlane,
 };
 
+use crate::citations::OF_ALL;
 use crate::deeds::Deeds;
-use crate::support::Citations;
-
-/// Programs in which every rule has to be met.
-const PROGRAMS: u64 = 40_000;
+use crate::programs::{cites, motion_of, trace};
 
 /// The rules that events cite (execution of contours, section 10).
 #[rustfmt::skip]
@@ -96,8 +94,7 @@ struct Reached {
 
 impl Reached {
     fn add(&mut self, case: &Case) {
-        let mut events = Vec::new();
-        turnspec_oracle::run(&case.program, &case.setup, &mut |event: &Event| events.push(*event));
+        let events = trace(case);
         self.programs += 1;
         // Cutter radius compensation has a test of its own.
         if events.iter().any(|event| cites(event, CRC_05) || cites(event, CRC_14)) {
@@ -111,19 +108,6 @@ impl Reached {
         self.events += events.len() as u64;
         self.motions += motions;
         self.deeds.add(&events, deeds(case, &events));
-    }
-}
-
-fn cites(event: &Event, rule: RuleId) -> bool {
-    event.rules.as_slice().contains(&rule)
-}
-
-fn motion_of(event: &Event) -> Option<Motion> {
-    match event.action {
-        Action::Rapid { motion } | Action::Linear { motion, .. } | Action::ContourArc { motion, .. } => {
-            Some(motion)
-        }
-        _ => None,
     }
 }
 
@@ -272,24 +256,6 @@ fn programs_with_contours_are_many_and_deep() {
 /// Every rule of these families that an event cites, and every alarm of them with the rule that it stands for.
 #[test]
 fn every_rule_and_alarm_of_contours_is_reached() {
-    let mut citations = Citations::default();
-    let mut details = BTreeSet::new();
-    for case in (0..PROGRAMS).map(case_from_seed) {
-        turnspec_oracle::run(&case.program, &case.setup, &mut |event: &Event| {
-            citations.event(event);
-            let own = event.rules.as_slice().iter().any(|rule| {
-                ["E100L-CGF", "E100L-CGS", "E100L-CSC", "E100L-CRC"]
-                    .iter()
-                    .any(|area| rule.as_str().starts_with(area))
-            });
-            if let Action::Alarm(alarm) = event.action
-                && own
-            {
-                details.insert(alarm.detail.as_str().to_owned());
-            }
-        });
-    }
-    citations.demand(CITED, ALARMS);
-    let never: Vec<_> = DETAILS.iter().filter(|detail| !details.contains(**detail)).collect();
-    assert!(never.is_empty(), "details that no program reached: {never:?}");
+    OF_ALL.demand(CITED, ALARMS);
+    OF_ALL.demand_details_of(&["E100L-CGF", "E100L-CGS", "E100L-CSC", "E100L-CRC"], DETAILS);
 }

@@ -6,11 +6,9 @@ use turnspec_generator::{Case, case_from_seed};
 use turnspec_oracle::vocabulary::rule_ids::*;
 use turnspec_oracle::vocabulary::{Action, AlarmName, ContourPlane, Event, Motion, Part, RuleId, SidePlane};
 
+use crate::citations::{Citations, PROGRAMS};
 use crate::deeds::Deeds;
-use crate::support::Citations;
-
-/// Programs in which every rule has to be met.
-const PROGRAMS: u64 = 40_000;
+use crate::programs::{cites, is_in, motion_of, trace};
 
 /// The rules that events of this compensation cite (execution of contours, section 10, and what it takes over).
 #[rustfmt::skip]
@@ -82,25 +80,6 @@ impl Reached {
         self.events += events.len() as u64;
         self.motions += motions;
         self.deeds.add(&events, deeds(case, &events));
-    }
-}
-
-fn trace(case: &Case) -> Vec<Event> {
-    let mut events = Vec::new();
-    turnspec_oracle::run(&case.program, &case.setup, &mut |event: &Event| events.push(*event));
-    events
-}
-
-fn cites(event: &Event, rule: RuleId) -> bool {
-    event.rules.as_slice().contains(&rule)
-}
-
-fn motion_of(event: &Event) -> Option<Motion> {
-    match event.action {
-        Action::Rapid { motion } | Action::Linear { motion, .. } | Action::ContourArc { motion, .. } => {
-            Some(motion)
-        }
-        _ => None,
     }
 }
 
@@ -261,29 +240,22 @@ impl Codes {
 /// that know other planes count only while G17 or G119 is in force.
 #[test]
 fn every_rule_and_alarm_of_cutters_is_reached() {
+    const OWN: &[&str] = &["E100L-CRC"];
     let mut citations = Citations::default();
-    let mut details = BTreeSet::new();
     for case in (0..PROGRAMS).map(case_from_seed) {
         let mut codes = Codes::new();
         for event in trace(&case) {
             codes.note(&event);
-            let own = event.rules.as_slice().iter().any(|rule| rule.as_str().starts_with("E100L-CRC"));
-            let alarm = match event.action {
-                Action::Alarm(alarm) => Some(alarm),
-                _ => None,
-            };
-            if own || is_of_cutter(&event) || alarm.is_some() && codes.is_rotary() {
+            let own = event.rules.as_slice().iter().any(|rule| is_in(*rule, OWN));
+            let alarm = matches!(event.action, Action::Alarm(_));
+            if own || is_of_cutter(&event) || alarm && codes.is_rotary() {
                 citations.event(&event);
-            }
-            if let Some(alarm) = alarm.filter(|_| own) {
-                details.insert(alarm.detail.as_str().to_owned());
             }
         }
     }
     citations.demand(CITED, ALARMS);
-    let never: Vec<_> = DETAILS.iter().filter(|detail| !details.contains(**detail)).collect();
-    assert!(never.is_empty(), "details that no program reached: {never:?}");
-    let of_it = citations.rules.iter().filter(|rule| rule.as_str().starts_with("E100L-CRC"));
+    citations.demand_details_of(OWN, DETAILS);
+    let of_it = citations.rules.iter().filter(|rule| is_in(**rule, OWN));
     let other: Vec<_> = of_it.filter(|rule| !CITED.contains(rule) && !OTHERS.contains(rule)).collect();
     assert!(other.is_empty(), "rules that are not in the list: {other:?}");
 }

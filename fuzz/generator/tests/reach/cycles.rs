@@ -5,15 +5,11 @@ use std::collections::BTreeSet;
 
 use turnspec_generator::{Case, case_from_seed};
 use turnspec_oracle::vocabulary::rule_ids::*;
-use turnspec_oracle::vocabulary::{
-    Action, AlarmName, Event, G184Tapping, Motion, Part, Reading, RuleId, Side,
-};
+use turnspec_oracle::vocabulary::{Action, AlarmName, Event, G184Tapping, Part, Reading, RuleId, Side};
 
+use crate::citations::OF_ALL;
 use crate::deeds::Deeds;
-use crate::support::Citations;
-
-/// Programs in which every rule has to be met.
-const PROGRAMS: u64 = 40_000;
+use crate::programs::{cites, motion_of, trace};
 
 /// The rules that events cite (execution of drilling, section 10).
 #[rustfmt::skip]
@@ -113,8 +109,7 @@ struct Reached {
 
 impl Reached {
     fn add(&mut self, case: &Case) {
-        let mut events = Vec::new();
-        turnspec_oracle::run(&case.program, &case.setup, &mut |event: &Event| events.push(*event));
+        let events = trace(case);
         self.programs += 1;
         if !events.iter().any(is_of_cycle) {
             return;
@@ -124,19 +119,6 @@ impl Reached {
         self.motions += events.iter().filter(|event| is_of_cycle(event)).count() as u64;
         self.deeds.add(&events, deeds(case, &events));
     }
-}
-
-fn motion_of(event: &Event) -> Option<Motion> {
-    match event.action {
-        Action::Rapid { motion } | Action::Linear { motion, .. } | Action::Thread { motion, .. } => {
-            Some(motion)
-        }
-        _ => None,
-    }
-}
-
-fn cites(event: &Event, rule: RuleId) -> bool {
-    event.rules.as_slice().contains(&rule)
 }
 
 /// Whether it is a motion of one of these cycles.
@@ -295,18 +277,6 @@ fn programs_with_cycles_are_many_and_deep() {
 /// Every rule of these families that an event cites, and every alarm of them with the rule that it stands for.
 #[test]
 fn every_rule_and_alarm_of_cycles_is_reached() {
-    let mut citations = Citations::default();
-    let mut details = BTreeSet::new();
-    for case in (0..PROGRAMS).map(case_from_seed) {
-        turnspec_oracle::run(&case.program, &case.setup, &mut |event: &Event| {
-            citations.event(event);
-            if let Action::Alarm(alarm) = event.action {
-                details.insert((alarm.name, alarm.detail.as_str().to_owned()));
-            }
-        });
-    }
-    citations.demand(CITED, ALARMS);
-    let met = |(name, detail): &(AlarmName, &str)| details.contains(&(*name, (*detail).to_owned()));
-    let never: Vec<_> = DETAILS.iter().filter(|pair| !met(pair)).collect();
-    assert!(never.is_empty(), "details that no alarm had: {never:?}");
+    OF_ALL.demand(CITED, ALARMS);
+    OF_ALL.demand_details(DETAILS);
 }

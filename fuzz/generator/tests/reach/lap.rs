@@ -6,11 +6,9 @@ use turnspec_generator::{Case, case_from_seed};
 use turnspec_oracle::vocabulary::rule_ids::*;
 use turnspec_oracle::vocabulary::{Action, AlarmName, Event, Part, RuleId};
 
+use crate::citations::OF_ALL;
 use crate::deeds::Deeds;
-use crate::support::Citations;
-
-/// Programs in which every rule has to be met.
-const PROGRAMS: u64 = 40_000;
+use crate::programs::{cites, trace};
 
 /// The rules that events cite (execution of LAP, section 14).
 #[rustfmt::skip]
@@ -116,8 +114,7 @@ struct Reached {
 
 impl Reached {
     fn add(&mut self, case: &Case) {
-        let mut events = Vec::new();
-        turnspec_oracle::run(&case.program, &case.setup, &mut |event: &Event| events.push(*event));
+        let events = trace(case);
         let motions = events.iter().filter(|event| is_of_lap(event)).count() as u64;
         if motions == 0 {
             return;
@@ -128,10 +125,6 @@ impl Reached {
         let deeds: BTreeSet<_> = events.iter().flat_map(|event| deeds(case, event)).collect();
         self.deeds.add(&events, deeds);
     }
-}
-
-fn cites(event: &Event, rule: RuleId) -> bool {
-    event.rules.as_slice().contains(&rule)
 }
 
 /// Whether it is a motion of a rough cycle or of G87.
@@ -232,21 +225,6 @@ fn programs_with_lap_are_many_and_deep() {
 /// Every rule of LAP that an event cites, and every alarm of it with the rule that it stands for.
 #[test]
 fn every_rule_and_alarm_of_lap_is_reached() {
-    let mut citations = Citations::default();
-    let mut details = BTreeSet::new();
-    for case in (0..PROGRAMS).map(case_from_seed) {
-        turnspec_oracle::run(&case.program, &case.setup, &mut |event: &Event| {
-            citations.event(event);
-            let own =
-                |rule: &RuleId| ["E100L-LAP", "E100L-AP"].iter().any(|area| rule.as_str().starts_with(area));
-            if let Action::Alarm(alarm) = event.action
-                && event.rules.as_slice().iter().any(own)
-            {
-                details.insert(alarm.detail.as_str().to_owned());
-            }
-        });
-    }
-    citations.demand(CITED, ALARMS);
-    let never: Vec<_> = DETAILS.iter().filter(|detail| !details.contains(**detail)).collect();
-    assert!(never.is_empty(), "details that no program reached: {never:?}");
+    OF_ALL.demand(CITED, ALARMS);
+    OF_ALL.demand_details_of(&["E100L-LAP", "E100L-AP"], DETAILS);
 }

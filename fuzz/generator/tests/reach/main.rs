@@ -2,6 +2,7 @@
 //! are run at once.
 
 mod barriers;
+mod citations;
 mod compensation;
 mod contour;
 mod control;
@@ -10,6 +11,6 @@ mod cycles;
 mod deeds;
 mod io;
 mod lap;
-mod support;
+mod programs;
 mod threads;
 mod turrets;

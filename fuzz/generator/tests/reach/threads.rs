@@ -4,15 +4,11 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use turnspec_generator::{Case, case_from_seed};
 use turnspec_oracle::vocabulary::rule_ids::*;
-use turnspec_oracle::vocabulary::{
-    Action, AlarmName, BalancedInfeed, Event, LeadAxis, Motion, Part, RuleId, Side,
-};
+use turnspec_oracle::vocabulary::{Action, AlarmName, BalancedInfeed, Event, LeadAxis, Part, RuleId, Side};
 
+use crate::citations::{OF_ALL, PROGRAMS};
 use crate::deeds::Deeds;
-use crate::support::Citations;
-
-/// Programs in which every rule has to be met.
-const PROGRAMS: u64 = 40_000;
+use crate::programs::{cites, motion_of, trace};
 
 /// The rules that events cite (execution of threads, section 9).
 #[rustfmt::skip]
@@ -97,8 +93,7 @@ fn cuts(event: &Event) -> bool {
 
 impl Reached {
     fn add(&mut self, case: &Case) {
-        let mut events = Vec::new();
-        turnspec_oracle::run(&case.program, &case.setup, &mut |event: &Event| events.push(*event));
+        let events = trace(case);
         self.programs += 1;
         if !events.iter().any(cuts) {
             return;
@@ -110,20 +105,9 @@ impl Reached {
     }
 }
 
-fn motion_of(event: &Event) -> Option<Motion> {
-    match event.action {
-        Action::Rapid { motion }
-        | Action::Linear { motion, .. }
-        | Action::Arc { motion, .. }
-        | Action::Thread { motion, .. } => Some(motion),
-        _ => None,
-    }
-}
-
 /// What the events of a program show.
 fn deeds(case: &Case, events: &[Event]) -> BTreeSet<&'static str> {
     let mut deeds = BTreeSet::new();
-    let cites = |event: &Event, rule: RuleId| event.rules.as_slice().contains(&rule);
     let mut exits = 0;
     let mut lines: BTreeMap<u32, u64> = BTreeMap::new();
     let mut called = 0;
@@ -228,30 +212,25 @@ fn programs_with_threads_are_many_and_deep() {
 /// Every rule of these families that an event cites, and every alarm of them with the rule that it stands for.
 #[test]
 fn every_rule_and_alarm_of_threads_is_reached() {
-    let mut citations = Citations::default();
-    let mut details = BTreeSet::new();
     let mut behind_angles = BTreeSet::new();
     for case in (0..PROGRAMS).map(case_from_seed) {
         let mut length = false;
         turnspec_oracle::run(&case.program, &case.setup, &mut |event: &Event| {
-            citations.event(event);
             if let Action::Mode { group, code, .. } = event.action
                 && group.as_str() == "motion"
             {
                 length = ["G34", "G35"].contains(&code.as_str());
             }
-            if let Action::Alarm(alarm) = event.action {
-                if length && event.rules.as_slice().contains(&ANG_06) {
-                    behind_angles.insert(alarm.name);
-                }
-                details.insert((alarm.name, alarm.detail.as_str().to_owned()));
+            if let Action::Alarm(alarm) = event.action
+                && length
+                && cites(event, ANG_06)
+            {
+                behind_angles.insert(alarm.name);
             }
         });
     }
-    citations.demand(CITED, ALARMS);
     let of_lengths = [AlarmName::AngleLookahead, AlarmName::AngleNoIntersection, AlarmName::Unspecified];
     assert_eq!(behind_angles, BTreeSet::from(of_lengths), "alarms of lengths with an angle alone");
-    let met = |(name, detail): &(AlarmName, &str)| details.contains(&(*name, (*detail).to_owned()));
-    let never: Vec<_> = DETAILS.iter().filter(|pair| !met(pair)).collect();
-    assert!(never.is_empty(), "details that no alarm had: {never:?}");
+    OF_ALL.demand(CITED, ALARMS);
+    OF_ALL.demand_details(DETAILS);
 }

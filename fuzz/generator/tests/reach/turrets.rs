@@ -9,11 +9,9 @@ use turnspec_oracle::vocabulary::{
     Action, AlarmName, Event, MachineType, ReleaseCause, RuleId, Side, SpindleName,
 };
 
+use crate::citations::OF_ALL;
 use crate::deeds::Deeds;
-use crate::support::Citations;
-
-/// Programs in which every rule has to be met.
-const PROGRAMS: u64 = 40_000;
+use crate::programs::{cites, motion_of, trace};
 
 /// The rules that events cite (execution of turrets, section 5).
 #[rustfmt::skip]
@@ -55,16 +53,13 @@ struct Machine {
     programs: u64,
     events: u64,
     deeds: Deeds,
-    citations: Citations,
 }
 
 impl Machine {
     fn add(&mut self, case: &Case) {
-        let mut events = Vec::new();
-        turnspec_oracle::run(&case.program, &case.setup, &mut |event: &Event| events.push(*event));
+        let events = trace(case);
         self.programs += 1;
         self.events += events.len() as u64;
-        events.iter().for_each(|event| self.citations.event(event));
         self.deeds.add(&events, deeds(&events));
     }
 }
@@ -81,14 +76,14 @@ fn deeds(events: &[Event]) -> BTreeSet<&'static str> {
         match event.action {
             Action::Mode { group, .. } if group.as_str() == "turret" => changes += 1,
             Action::Spindle(spindle) if spindle.spindle == SpindleName::Main && spindle.speed.0 > 0 => {
-                if event.rules.as_slice().contains(&MCODE_05) {
+                if cites(event, MCODE_05) {
                     started = event.turret;
                 } else if started.is_some() && event.turret != started {
                     // E100L-MIRR-07.
                     deeds.insert("speed of a spindle that the other turret started");
                 }
             }
-            Action::Frame { .. } if event.rules.as_slice().contains(&MIRR_18) => {
+            Action::Frame { .. } if cites(event, MIRR_18) => {
                 deeds.insert("other data");
             }
             Action::Arc { .. } if mirrored => {
@@ -176,13 +171,6 @@ fn order_of_sides(events: &[Event], deeds: &mut BTreeSet<&'static str>) {
     }
 }
 
-fn motion_of(event: &Event) -> Option<turnspec_oracle::vocabulary::Motion> {
-    match event.action {
-        Action::Rapid { motion } | Action::Linear { motion, .. } | Action::Arc { motion, .. } => Some(motion),
-        _ => None,
-    }
-}
-
 /// The programs of seeds by their machine.
 fn machines(seeds: std::ops::Range<u64>) -> [Machine; 3] {
     let mut machines: [Machine; 3] = Default::default();
@@ -242,9 +230,5 @@ fn programs_for_two_turrets_and_two_saddles_are_many_and_deep() {
 /// Every rule of these families that an event cites, and every alarm of them with the rule that it stands for.
 #[test]
 fn every_rule_and_alarm_of_turrets_and_saddles_is_reached() {
-    let mut citations = Citations::default();
-    for case in (0..PROGRAMS).map(case_from_seed) {
-        turnspec_oracle::run(&case.program, &case.setup, &mut |event: &Event| citations.event(event));
-    }
-    citations.demand(CITED, ALARMS);
+    OF_ALL.demand(CITED, ALARMS);
 }
